@@ -1,9 +1,10 @@
-// The sparse volume that the CPU and the GPU march: 8^3-cell bricks with a one-sided apron, quantised to 16 bits,
-// under a shallow tree that knows the range of each brick and how far the next one is.
+// The sparse volume that the CPU and the GPU march: 8^3-cell bricks with a one-sided apron, quantised to 16
+// bits, under a shallow tree that knows the range of each brick and how far the next one is.
 //
-// Index space is the file's: voxel centres at whole coordinates, trilinear in between, zero outside. A brick at
-// coordinate b covers the cells [8b, 8b+8) and so stores the 9^3 voxels 8b .. 8b+8 (inclusive): every trilinear
-// lookup reads one brick only. The quantisation (1/65535 of each brick's maximum) is far below half-float noise.
+// Index space is the file's: voxel centres at whole coordinates, trilinear in between, zero outside. A brick
+// at coordinate b covers the cells [8b, 8b+8) and so stores the 9^3 voxels 8b .. 8b+8 (inclusive): every
+// trilinear lookup reads one brick only. The quantisation (1/65535 of each brick's maximum) is far below
+// half-float noise.
 #pragma once
 
 #include <array>
@@ -32,9 +33,9 @@ class BrickVolume {
   static constexpr std::uint32_t occupied_bit = 0x80000000u;
   static constexpr std::size_t max_root_cells = 1u << 18;
 
-  ivec3 origin{0};      // index-space voxel of the first cell of the root; a multiple of the root's cell size
-  ivec3 root_dims{0};   // cells of the root along each axis; all zero for an empty volume
-  int levels = 0;       // node levels between root and bricks: 0 means that root entries are bricks
+  ivec3 origin{0};     // index-space voxel of the first cell of the root; a multiple of the root's cell size
+  ivec3 root_dims{0};  // cells of the root along each axis; all zero for an empty volume
+  int levels = 0;      // node levels between root and bricks: 0 means that root entries are bricks
   std::vector<BrickEntry> root;            // root_dims.x * y * z entries, x fastest
   std::vector<BrickEntry> nodes;           // 512 entries per node, x fastest
   std::vector<std::uint16_t> density;      // 729 per brick, x fastest: fraction of the brick's maximum
@@ -49,7 +50,8 @@ class BrickVolume {
 
   std::size_t brick_count() const { return density.size() / brick_voxels; }
   bool empty() const { return density.empty(); }
-  /// Bytes that the volume takes on the CPU; on the GPU it takes the same, plus what is lost at the atlas' edge.
+  /// Bytes that the volume takes on the CPU; on the GPU it takes the same, plus what is lost at the atlas'
+  /// edge.
   std::size_t bytes() const;
   /// Side of a root cell in voxels.
   int root_cell_size() const { return brick_size << (3 * levels); }
@@ -81,8 +83,8 @@ struct VoxelRepairs {
   std::int64_t total() const { return not_a_number + infinite + negative; }
 };
 
-/// Collects 8^3 blocks of voxels and makes a BrickVolume of them. Memory follows the blocks that are added, not
-/// their bounding box. `add` may be called from several threads, at most once per block.
+/// Collects 8^3 blocks of voxels and makes a BrickVolume of them. Memory follows the blocks that are added,
+/// not their bounding box. `add` may be called from several threads, at most once per block.
 class BrickVolumeBuilder {
  public:
   static constexpr int block_voxels = 512;
@@ -92,11 +94,12 @@ class BrickVolumeBuilder {
   BrickVolumeBuilder(const BrickVolumeBuilder&) = delete;
   BrickVolumeBuilder& operator=(const BrickVolumeBuilder&) = delete;
 
-  /// block: coordinate of the block (its first voxel is block * 8). density: 512 values, x fastest. temperature:
-  /// null or 512 values [K]. Blocks without any non-zero voxel are dropped.
+  /// block: coordinate of the block (its first voxel is block * 8). density: 512 values, x fastest.
+  /// temperature: null or 512 values [K]. Blocks without any non-zero voxel are dropped.
   void add(ivec3 block, const float* density, const float* temperature = nullptr);
 
-  /// Makes the volume and empties the builder. Values that are not finite or negative are repaired and counted.
+  /// Makes the volume and empties the builder. Values that are not finite or negative are repaired and
+  /// counted.
   BrickVolume build(const dmat4& medium_from_index);
 
   /// What the last build() repaired.

@@ -1,4 +1,5 @@
-// A participating medium as a scene sees it: a shape of density, and the optical properties that scale with it.
+// A participating medium as a scene sees it: a shape of density, and the optical properties that scale with
+// it.
 //
 // sigma_t(p) = density(p) * density_scale * (sigma_s + sigma_a)   [1/world unit], colours linear Rec.709.
 #pragma once
@@ -26,10 +27,11 @@ struct Phase {
 };
 
 /// Thermal emission: radiance per length = density * density_scale * emission_scale * 2^emission_exposure *
-/// (T/1800)^4 * planck_colour(T), the colour having luminance 1. T = temperature_offset + temperature_scale * value.
+/// (T/1800)^4 * planck_colour(T), the colour having luminance 1. T = temperature_offset + temperature_scale *
+/// value.
 struct Emission {
-  float scale = 0.0f;               // [radiance per world unit at density * density_scale = 1 and T = 1800 K]; 0: none
-  float exposure = 0.0f;            // [stops]
+  float scale = 0.0f;     // [radiance per world unit at density * density_scale = 1 and T = 1800 K]; 0: none
+  float exposure = 0.0f;  // [stops]
   float temperature_scale = 1.0f;   // [K per stored kelvin]; applied to what the volume stores
   float temperature_offset = 0.0f;  // [K]
 };

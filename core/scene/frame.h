@@ -14,24 +14,25 @@ struct LightLayer {
   std::vector<vec3> radiance;
 };
 
-/// beauty = sum of lights + ambient + emission + background, to rounding. All planes have width * height pixels,
-/// top row first, linear Rec.709 scene radiance.
+/// beauty = sum of lights + ambient + emission + background, to rounding. All planes have width * height
+/// pixels, top row first, linear Rec.709 scene radiance.
 struct Frame {
   int width = 0, height = 0;
   std::vector<vec3> beauty;
   std::vector<vec3> transmittance;  // [-] in [0, 1] per channel of the view ray
-  std::vector<float> depth;         // [world] distance at which alpha (1 - mean transmittance) passes 0.5; inf if never
+  std::vector<float>
+      depth;  // [world] distance at which alpha (1 - mean transmittance) passes 0.5; inf if never
   std::vector<vec3> ambient, emission, background;
-  std::vector<LightLayer> lights;   // in the order of the snapshot
+  std::vector<LightLayer> lights;  // in the order of the snapshot
 };
 
 /// Counters and times of the last render; a counter counts since the renderer was made.
 struct RenderStats {
-  std::int64_t map_builds = 0;      // transmittance maps built (one per light and colour group)
+  std::int64_t map_builds = 0;  // transmittance maps built (one per light and colour group)
   std::int64_t volume_uploads = 0;
-  std::size_t volume_bytes = 0;     // of the volumes where the renderer keeps them
+  std::size_t volume_bytes = 0;  // of the volumes where the renderer keeps them
   std::size_t map_bytes = 0;
-  int passes = 0;                   // jittered passes in the picture
+  int passes = 0;                                 // jittered passes in the picture
   double upload_ms = 0, map_ms = 0, view_ms = 0;  // wall clock of the last render's parts
   std::vector<std::string> warnings;
 };

@@ -24,23 +24,23 @@ enum class EndRule {
 
 struct MapQuality {
   Encoding encoding = Encoding::atfm;
-  int coefficients = 6;              // [2, 16] cosine terms per texel
-  float threshold = 0.01f;           // [-] (0, 1): transmittance under which a ray counts as dead
+  int coefficients = 6;     // [2, 16] cosine terms per texel
+  float threshold = 0.01f;  // [-] (0, 1): transmittance under which a ray counts as dead
   KminRule kmin_rule = KminRule::veil_proof;
   float kmin_transmittance = 0.97f;  // [-] (0, 1]
   EndRule end_rule = EndRule::zero;
-  float density_weighting = 2.0f;    // [-] >= 1: T^(1/w) is stored [TFM11 eq. 19-20]; 1 turns it off
-  int resolution = 512;              // texels along a side of a light's view
-  float detect_step = 1.0f;          // [voxels] of the first march
-  int refine_steps = 64;             // samples of the second march
+  float density_weighting = 2.0f;  // [-] >= 1: T^(1/w) is stored [TFM11 eq. 19-20]; 1 turns it off
+  int resolution = 512;            // texels along a side of a light's view
+  float detect_step = 1.0f;        // [voxels] of the first march
+  int refine_steps = 64;           // samples of the second march
 };
 
 struct ViewQuality {
-  int shade_samples = 8;       // light lookups along an opaque view ray, placed at equal opacity
-  float step = 1.0f;           // [voxels] between density samples
+  int shade_samples = 8;                // light lookups along an opaque view ray, placed at equal opacity
+  float step = 1.0f;                    // [voxels] between density samples
   float transmittance_cutoff = 0.002f;  // [-] a ray ends where nothing more than this could be seen
-  int passes = 64;             // jittered passes until the picture counts as converged
-  bool exact_light_at_rest = false;  // further passes at rest replace map lookups by the light march
+  int passes = 64;                      // jittered passes until the picture counts as converged
+  bool exact_light_at_rest = false;     // further passes at rest replace map lookups by the light march
 };
 
 struct Quality {

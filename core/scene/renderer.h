@@ -21,8 +21,8 @@ struct RenderCancelled : std::runtime_error {
 class Renderer {
  public:
   virtual ~Renderer() = default;
-  /// Renders `passes` jittered passes of the snapshot (the reference ignores it). Maps and volumes are kept from
-  /// one call to the next and rebuilt only for the reasons listed in map_key.h.
+  /// Renders `passes` jittered passes of the snapshot (the reference ignores it). Maps and volumes are kept
+  /// from one call to the next and rebuilt only for the reasons listed in map_key.h.
   virtual Frame render(const SceneSnapshot& scene, int passes, const Progress& progress = {}) = 0;
   virtual const RenderStats& stats() const = 0;
 };

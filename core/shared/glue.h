@@ -1,5 +1,6 @@
 // Lets one source be compiled as C++20 through GLM and as GLSL 4.50. Every other file of this folder includes
-// it first and is written in the common subset: pure functions, values in, values out, `1.0f` literals, no swizzles.
+// it first and is written in the common subset: pure functions, values in, values out, `1.0f` literals, no
+// swizzles.
 #ifndef PLINIAN_SHARED_GLUE_H
 #define PLINIAN_SHARED_GLUE_H
 

@@ -1,7 +1,7 @@
 // Phase functions: isotropic, Henyey-Greenstein, Schlick, two-lobe Henyey-Greenstein [CGLearn].
 //
-// Convention, here and everywhere: cos_theta is the cosine between the direction that light travels before the
-// scattering event and the one after it, so 1 is straight on and g > 0 scatters forward. Every function
+// Convention, here and everywhere: cos_theta is the cosine between the direction that light travels before
+// the scattering event and the one after it, so 1 is straight on and g > 0 scatters forward. Every function
 // integrates to one over the sphere [1/sr].
 #ifndef PLINIAN_SHARED_PHASE_H
 #define PLINIAN_SHARED_PHASE_H
