@@ -47,10 +47,11 @@ float BrickVolume::sample(const std::vector<std::uint16_t>& bricks, vec3 p, bool
   const ivec3 cell(base);
   const Lookup found = find(cell);
   if ((found.entry.x & occupied_bit) == 0) return 0.0f;
+  const std::size_t first = static_cast<std::size_t>(found.entry.x & ~occupied_bit) * brick_voxels;
+  if (first >= bricks.size()) return 0.0f;  // a brick without temperature
   const ivec3 local = cell - found.corner;
-  const std::uint16_t* v = bricks.data() +
-                           static_cast<std::size_t>(found.entry.x & ~occupied_bit) * brick_voxels +
-                           (local.z * brick_stride + local.y) * brick_stride + local.x;
+  const std::uint16_t* v =
+      bricks.data() + first + (local.z * brick_stride + local.y) * brick_stride + local.x;
   const vec3 f = p - base;
   const auto row = [&](int offset) { return v[offset] + f.x * (float(v[offset + 1]) - float(v[offset])); };
   constexpr int dy = brick_stride, dz = brick_stride * brick_stride;

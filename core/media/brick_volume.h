@@ -39,7 +39,8 @@ class BrickVolume {
   std::vector<BrickEntry> root;            // root_dims.x * y * z entries, x fastest
   std::vector<BrickEntry> nodes;           // 512 entries per node, x fastest
   std::vector<std::uint16_t> density;      // 729 per brick, x fastest: fraction of the brick's maximum
-  std::vector<std::uint16_t> temperature;  // empty, or 729 per brick: fraction of temperature_max
+  std::vector<std::uint16_t> temperature;  // 729 for each of the first hot_brick_count() bricks: fraction of
+                                           // temperature_max; the bricks behind them are at 0 K throughout
   float density_max = 0.0f;                // [unit of the file] largest voxel
   float temperature_max = 0.0f;            // [K] what a stored temperature of 65535 stands for
   ivec3 bounds_min{0}, bounds_max{0};      // index-space box outside which density is zero (support of the
@@ -49,6 +50,9 @@ class BrickVolume {
   std::int64_t leaf_count = 0;             // 8^3-aligned blocks of voxels with a non-zero voxel in them
 
   std::size_t brick_count() const { return density.size() / brick_voxels; }
+  /// Bricks are numbered so that those with any temperature come first: most of a medium is cold, and then
+  /// costs no memory for it.
+  std::size_t hot_brick_count() const { return temperature.size() / brick_voxels; }
   bool empty() const { return density.empty(); }
   /// Bytes that the volume takes on the CPU; on the GPU it takes the same, plus what is lost at the atlas'
   /// edge.

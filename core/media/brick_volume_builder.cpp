@@ -121,13 +121,11 @@ BrickVolume BrickVolumeBuilder::build(const dmat4& medium_from_index) {
 
   // Mend the values and find their range.
   float largest = 0.0f, hottest = 0.0f;
-  bool has_temperature = false;
   for (const auto& [key, block] : blocks) {
     for (const float v : block.density)
       if (std::isfinite(v)) largest = std::max(largest, v);
     for (const float t : block.temperature)
       if (std::isfinite(t)) hottest = std::max(hottest, t);
-    has_temperature |= !block.temperature.empty();
   }
   ivec3 low(std::numeric_limits<int>::max()), high(std::numeric_limits<int>::min());
   for (auto it = blocks.begin(); it != blocks.end();) {
@@ -183,11 +181,28 @@ BrickVolume BrickVolumeBuilder::build(const dmat4& medium_from_index) {
               [](ivec3 a, ivec3 b) { return std::tie(a.z, a.y, a.x) < std::tie(b.z, b.y, b.x); });
   }
 
-  volume.density.resize(bricks.size() * BrickVolume::brick_voxels);
-  if (has_temperature) {
-    volume.temperature.resize(volume.density.size());
-    volume.temperature_max = hottest > 0.0f ? hottest : 1.0f;
+  // Bricks with any temperature come first, so that only they store one.
+  std::size_t hot_bricks = 0;
+  if (hottest > 0.0f) {
+    const auto is_hot = [&blocks](ivec3 brick) {
+      for (int corner = 0; corner < 8; ++corner) {
+        const ivec3 upper(corner & 1, (corner >> 1) & 1, corner >> 2);
+        const auto found = blocks.find(brick + upper);
+        if (found == blocks.end() || found->second.temperature.empty()) continue;
+        for (int z = 0; z < (upper.z ? 1 : 8); ++z)
+          for (int y = 0; y < (upper.y ? 1 : 8); ++y)
+            for (int x = 0; x < (upper.x ? 1 : 8); ++x)
+              if (found->second.temperature[(z * 8 + y) * 8 + x] > 0.0f) return true;
+      }
+      return false;
+    };
+    hot_bricks = static_cast<std::size_t>(std::stable_partition(bricks.begin(), bricks.end(), is_hot) -
+                                          bricks.begin());
   }
+
+  volume.density.resize(bricks.size() * BrickVolume::brick_voxels);
+  volume.temperature.resize(hot_bricks * BrickVolume::brick_voxels);
+  volume.temperature_max = hottest;
   std::vector<std::uint32_t> ranges(bricks.size());
   tbb::parallel_for(std::size_t(0), bricks.size(), [&](std::size_t b) {
     const State::Block* neighbours[8];
@@ -212,7 +227,7 @@ BrickVolume BrickVolumeBuilder::build(const dmat4& medium_from_index) {
     std::uint16_t* stored = volume.density.data() + b * BrickVolume::brick_voxels;
     for (int i = 0; i < BrickVolume::brick_voxels; ++i)
       stored[i] = static_cast<std::uint16_t>(std::min(values[i] / scale, 1.0f) * 65535.0f + 0.5f);
-    if (has_temperature)
+    if (b < hot_bricks)
       for (int i = 0; i < BrickVolume::brick_voxels; ++i)
         volume.temperature[b * BrickVolume::brick_voxels + i] =
             static_cast<std::uint16_t>(std::min(heat[i] / volume.temperature_max, 1.0f) * 65535.0f + 0.5f);

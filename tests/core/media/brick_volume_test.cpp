@@ -119,6 +119,22 @@ TEST(BrickVolume, EmptyCellsPromiseOnlySpaceThatIsEmpty) {
   EXPECT_GT(leaps, 1000);
 }
 
+TEST(BrickVolume, StoresTemperatureForHotBricksAlone) {
+  BrickVolumeBuilder builder;
+  float density[512], temperature[512];
+  for (int i = 0; i < 512; ++i) density[i] = 1.0f, temperature[i] = i < 256 ? 900.0f : 0.0f;
+  for (int x = 0; x < 10; ++x) builder.add({x, 0, 0}, density, x == 7 ? temperature : nullptr);
+  const BrickVolume volume = builder.build(dmat4(1.0));
+  // The hot block, and its seven lower neighbours, which see its hot first layer as their apron.
+  EXPECT_EQ(volume.hot_brick_count(), 8u);
+  EXPECT_GT(volume.brick_count(), 10u);
+  EXPECT_FLOAT_EQ(volume.sample_temperature({60, 4, 2}), 900.0f);
+  EXPECT_FLOAT_EQ(volume.sample_temperature({60, 4, 3.5f}), 450.0f);
+  EXPECT_FLOAT_EQ(volume.sample_temperature({55.5f, 4, 2}), 450.0f);
+  EXPECT_EQ(volume.sample_temperature({20, 4, 2}), 0.0f);
+  EXPECT_EQ(volume.sample_temperature({60, 4, 6}), 0.0f);
+}
+
 TEST(BrickVolume, IsEmptyAndSamplesToZeroWithoutBlocks) {
   BrickVolumeBuilder builder;
   const BrickVolume volume = builder.build(dmat4(1.0));
