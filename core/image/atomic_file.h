@@ -1,0 +1,21 @@
+// Files that are there whole or not at all.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace plinian {
+
+/// Throws ImageError, naming the path and the reason, where a file could not be written there now: the folder
+/// does not exist or refuses new files, or the target is a folder, not a plain file, or write-protected.
+/// Changes nothing.
+void check_writable(const std::string& path);
+
+/// Writes a temporary file beside `path` and renames it over it, so that a failure leaves what was there
+/// before. A link is followed, and the permissions of an existing file are kept. Throws ImageError.
+void write_file(const std::string& path, std::span<const std::uint8_t> bytes);
+void write_file(const std::string& path, std::string_view text);
+
+}  // namespace plinian

@@ -1,0 +1,120 @@
+#include "core/image/atomic_file.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include <csignal>
+#include <fstream>
+#include <iterator>
+
+#include "core/image/image.h"
+#include "tests/core/image/temporary_folder.h"
+
+namespace plinian {
+namespace {
+
+std::string contents(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(AtomicFile, ReplacesWhatWasThereAndLeavesNothingElse) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.txt", std::string_view("first"));
+  write_file(folder / "a.txt", std::string_view("second"));
+  EXPECT_EQ(contents(folder / "a.txt"), "second");
+  EXPECT_EQ(folder.entries(), 1u);
+}
+
+TEST(AtomicFile, AWriteThatFailsHalfwayKeepsTheOldFile) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.txt", std::string_view("old"));
+  // Files of this process may not grow beyond 100 bytes: the same error path as a full disk.
+  const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit old_limit, limit;
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &old_limit), 0);
+  limit = old_limit;
+  limit.rlim_cur = 100;
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &limit), 0);
+  const std::string message =
+      message_of<ImageError>([&] { write_file(folder / "a.txt", std::string_view(std::string(1000, 'x'))); });
+  setrlimit(RLIMIT_FSIZE, &old_limit);
+  std::signal(SIGXFSZ, old_handler);
+  EXPECT_NE(message.find("a.txt: cannot be written: File too large"), std::string::npos) << message;
+  EXPECT_EQ(contents(folder / "a.txt"), "old");
+  EXPECT_EQ(folder.entries(), 1u);
+}
+
+TEST(AtomicFile, SaysThatTheFolderDoesNotExist) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "nowhere/a.exr";
+  const std::string message = message_of<ImageError>([&] { check_writable(path); });
+  EXPECT_EQ(message, path + ": cannot be written: the folder " + (folder / "nowhere") + " does not exist");
+  EXPECT_EQ(message_of<ImageError>([&] { write_file(path, std::string_view("x")); }), message);
+  EXPECT_EQ(folder.entries(), 0u);
+}
+
+TEST(AtomicFile, RefusesAFolderADeviceAndAFileUsedAsAFolder) {
+  const TemporaryFolder folder;
+  EXPECT_NE(message_of<ImageError>([&] { check_writable(folder.path().string()); }).find("it is a folder"),
+            std::string::npos);
+  EXPECT_NE(message_of<ImageError>([&] { check_writable("/dev/null"); }).find("not a plain file"),
+            std::string::npos);
+  write_file(folder / "file", std::string_view("x"));
+  EXPECT_NE(message_of<ImageError>([&] { check_writable(folder / "file/a.exr"); }).find("not a folder"),
+            std::string::npos);
+  EXPECT_NE(message_of<ImageError>([&] { check_writable(""); }).find("empty"), std::string::npos);
+}
+
+TEST(AtomicFile, RefusesAFolderThatTakesNoFilesEvenForTheSuperuser) {
+  if (!std::filesystem::is_directory("/proc/self")) GTEST_SKIP() << "no /proc here";
+  EXPECT_NE(
+      message_of<ImageError>([&] { check_writable("/proc/self/a.exr"); }).find("no file can be made in"),
+      std::string::npos);
+}
+
+TEST(AtomicFile, RefusesAWriteProtectedFile) {
+  if (::geteuid() == 0) GTEST_SKIP() << "the superuser may write any file";
+  const TemporaryFolder folder;
+  write_file(folder / "a.exr", std::string_view("precious"));
+  ::chmod((folder / "a.exr").c_str(), 0444);
+  EXPECT_NE(message_of<ImageError>([&] { check_writable(folder / "a.exr"); }).find("Permission denied"),
+            std::string::npos);
+  EXPECT_THROW(write_file(folder / "a.exr", std::string_view("x")), ImageError);
+  EXPECT_EQ(contents(folder / "a.exr"), "precious");
+}
+
+TEST(AtomicFile, CheckingChangesNothing) {
+  const TemporaryFolder folder;
+  check_writable(folder / "a.exr");
+  EXPECT_EQ(folder.entries(), 0u);
+  write_file(folder / "a.exr", std::string_view("old"));
+  check_writable(folder / "a.exr");
+  EXPECT_EQ(contents(folder / "a.exr"), "old");
+}
+
+TEST(AtomicFile, FollowsALinkAndKeepsPermissions) {
+  const TemporaryFolder folder;
+  write_file(folder / "real.txt", std::string_view("old"));
+  ::chmod((folder / "real.txt").c_str(), 0640);
+  std::filesystem::create_symlink("real.txt", folder / "link.txt");
+  write_file(folder / "link.txt", std::string_view("new"));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.txt"));
+  EXPECT_EQ(contents(folder / "real.txt"), "new");
+  struct stat status;
+  ASSERT_EQ(::stat((folder / "real.txt").c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777u, 0640u);
+}
+
+TEST(AtomicFile, WritesIntoTheCurrentFolderByABareName) {
+  const TemporaryFolder folder;
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder.path());
+  write_file("bare.txt", std::string_view("x"));
+  std::filesystem::current_path(before);
+  EXPECT_EQ(contents(folder / "bare.txt"), "x");
+}
+
+}  // namespace
+}  // namespace plinian
