@@ -1,0 +1,15 @@
+// Where the program's own data files are.
+#pragma once
+
+#include <filesystem>
+
+namespace plinian {
+
+/// share/plinian beside the folder of the running executable (PREFIX/bin/plinian -> PREFIX/share/plinian;
+/// the build tree has the same layout). Empty where the executable is not known.
+std::filesystem::path resource_folder();
+
+/// $XDG_CONFIG_HOME/plinian, or ~/.config/plinian; empty where there is neither.
+std::filesystem::path user_config_folder();
+
+}  // namespace plinian
