@@ -1,0 +1,76 @@
+#include "core/image/contact_sheet.h"
+
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
+
+#include <algorithm>
+
+namespace plinian {
+namespace {
+
+constexpr int font_size = 17;        // [pixels]
+constexpr std::uint8_t ground = 43;  // [display] the neutral grey of the comparison report
+
+// A font that is there, or "": the first of those that common systems bring.
+std::string find_font() {
+  for (const char* font :
+       {"DejaVuSans", "NotoSans-Regular", "LiberationSans-Regular", "FreeSans", "DroidSans", "Arial"})
+    if (OIIO::ImageBufAlgo::text_size("x", font_size, font).defined()) return font;
+  OIIO::geterror();  // clears what the search left behind
+  return "";
+}
+
+// OpenImageIO 2.4 draws every byte of a UTF-8 character as a letter of its own.
+std::string ascii(const std::string& text) {
+  std::string plain;
+  for (const unsigned char c : text) {
+    if (c < 0x80) plain += char(c);
+    if (c >= 0xc0) plain += '-';  // the first byte of a longer character
+  }
+  return plain;
+}
+
+}  // namespace
+
+SheetPicture sheet_picture(const Image& image, const ViewTransform& view, const std::string& label) {
+  return {image.width, image.height, to_display_bytes(image, view), label};
+}
+
+SheetPicture contact_sheet(const std::vector<SheetPicture>& pictures, int columns, int gap) {
+  if (pictures.empty() || columns < 1)
+    throw ImageError("contact sheet: at least one picture and column is needed");
+  int cell_width = 1, cell_height = 1;
+  bool labelled = false;
+  for (const SheetPicture& picture : pictures) {
+    if (picture.width < 1 || picture.height < 1 ||
+        picture.rgb.size() != 3 * std::size_t(picture.width) * std::size_t(picture.height))
+      throw ImageError("contact sheet: the picture '" + picture.label + "' does not hold its pixels");
+    cell_width = std::max(cell_width, picture.width);
+    cell_height = std::max(cell_height, picture.height);
+    labelled = labelled || !picture.label.empty();
+  }
+  const std::string font = labelled ? find_font() : "";
+  const int label_height = font.empty() ? 0 : 2 * font_size;
+  columns = std::min(columns, int(pictures.size()));
+  const int rows = (int(pictures.size()) + columns - 1) / columns;
+
+  SheetPicture sheet;
+  sheet.width = gap + columns * (cell_width + gap);
+  sheet.height = gap + rows * (cell_height + label_height + gap);
+  sheet.rgb.assign(3 * std::size_t(sheet.width) * std::size_t(sheet.height), ground);
+  OIIO::ImageBuf canvas(OIIO::ImageSpec(sheet.width, sheet.height, 3, OIIO::TypeUInt8), sheet.rgb.data());
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const SheetPicture& picture = pictures[i];
+    const int left = gap + int(i) % columns * (cell_width + gap);
+    const int top = gap + int(i) / columns * (cell_height + label_height + gap);
+    for (int y = 0; y < picture.height; ++y)
+      std::copy_n(picture.rgb.begin() + std::ptrdiff_t(y) * picture.width * 3, picture.width * 3,
+                  sheet.rgb.begin() + (std::ptrdiff_t(top + y) * sheet.width + left) * 3);
+    if (!font.empty() && !picture.label.empty())
+      OIIO::ImageBufAlgo::render_text(canvas, left, top + cell_height + font_size + font_size / 3,
+                                      ascii(picture.label), font_size, font, {0.87f, 0.87f, 0.87f});
+  }
+  return sheet;
+}
+
+}  // namespace plinian
