@@ -81,7 +81,7 @@ fs::path resolve_target(const std::string& path) {
   const fs::file_status status = fs::status(target, error);
   if (fs::exists(status)) {
     if (!fs::is_regular_file(status)) fail(path, "it is not a plain file");
-    if (::access(target.c_str(), W_OK) != 0) fail(path, std::strerror(errno));
+    if (::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) fail(path, std::strerror(errno));
   }
   const fs::path folder = target.parent_path();
   if (!fs::exists(folder, error)) fail(path, "the folder " + folder.string() + " does not exist");

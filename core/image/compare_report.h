@@ -18,11 +18,11 @@ struct ReportText {
 /// The report as HTML. The pictures are shown through `view` at each exposure of the comparison's FLIP
 /// figures (added to the view's own), the first at the start. Throws ImageError.
 std::string compare_report(const Image& a, const Image& reference, const CompareResult& result,
-                           const ReportText& text, const ViewSettings& view = {.view = View::srgb});
+                           const ReportText& text, const ViewSettings& view = parse_view("srgb"));
 
 /// Writes it, whole or not at all. Throws ImageError.
 void write_compare_report(const std::string& path, const Image& a, const Image& reference,
                           const CompareResult& result, const ReportText& text,
-                          const ViewSettings& view = {.view = View::srgb});
+                          const ViewSettings& view = parse_view("srgb"));
 
 }  // namespace plinian

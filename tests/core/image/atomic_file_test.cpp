@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 
 #include "core/image/image.h"
 #include "tests/core/image/temporary_folder.h"
@@ -74,15 +77,37 @@ TEST(AtomicFile, RefusesAFolderThatTakesNoFilesEvenForTheSuperuser) {
       std::string::npos);
 }
 
-TEST(AtomicFile, RefusesAWriteProtectedFile) {
-  if (::geteuid() == 0) GTEST_SKIP() << "the superuser may write any file";
+// An ordinary user for the time of a test: the superuser may write any file.
+struct OrdinaryUser {
+  const uid_t before = ::geteuid();
+  OrdinaryUser() {
+    if (before == 0 && ::seteuid(65534) != 0) throw std::runtime_error("cannot become an ordinary user");
+  }
+  ~OrdinaryUser() {
+    if (before == 0 && ::seteuid(0) != 0) std::abort();
+  }
+};
+
+TEST(AtomicFile, RefusesAWriteProtectedFileAndFolder) {
   const TemporaryFolder folder;
+  ::chmod(folder.path().c_str(), 0777);
   write_file(folder / "a.exr", std::string_view("precious"));
   ::chmod((folder / "a.exr").c_str(), 0444);
-  EXPECT_NE(message_of<ImageError>([&] { check_writable(folder / "a.exr"); }).find("Permission denied"),
-            std::string::npos);
-  EXPECT_THROW(write_file(folder / "a.exr", std::string_view("x")), ImageError);
+  {
+    const OrdinaryUser user;
+    EXPECT_NE(message_of<ImageError>([&] { check_writable(folder / "a.exr"); }).find("Permission denied"),
+              std::string::npos);
+    EXPECT_THROW(write_file(folder / "a.exr", std::string_view("x")), ImageError);
+    check_writable(folder / "b.exr");
+  }
   EXPECT_EQ(contents(folder / "a.exr"), "precious");
+  ::chmod(folder.path().c_str(), 0555);
+  {
+    const OrdinaryUser user;
+    EXPECT_NE(message_of<ImageError>([&] { check_writable(folder / "b.exr"); }).find("Permission denied"),
+              std::string::npos);
+  }
+  ::chmod(folder.path().c_str(), 0777);
 }
 
 TEST(AtomicFile, CheckingChangesNothing) {

@@ -1,5 +1,9 @@
 #include "core/image/image_io.h"
 
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/lsan_interface.h>
+#endif
+
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
@@ -209,6 +213,10 @@ TEST(ImageIo, FilesThatAreNoPicturesAreErrorsInOneLine) {
 }
 
 TEST(ImageIo, TruncatedAndFlippedFilesAreErrorsOrPicturesNeverCrashes) {
+#ifdef __SANITIZE_ADDRESS__
+  // OpenImageIO 2.4 loses 31 bytes of a message when libpng jumps out of it at the end of a truncated file.
+  const __lsan::ScopedDisabler not_our_leak;
+#endif
   const TemporaryFolder folder;
   Image image = make_image(64, 64);
   for (Channel& channel : image.channels)
