@@ -1,0 +1,152 @@
+// The tree keeps to its own rules: who may include whom, and every source is built.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace plinian {
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path root = PLINIAN_SOURCE_DIR;
+
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// Every file with one of the extensions under a folder, by its path in the tree.
+std::vector<std::string> files_under(const std::string& folder, const std::set<std::string>& extensions) {
+  std::vector<std::string> files;
+  if (!fs::exists(root / folder)) return files;
+  for (const auto& entry : fs::recursive_directory_iterator(root / folder))
+    if (entry.is_regular_file() && extensions.contains(entry.path().extension().string()))
+      files.push_back(fs::relative(entry.path(), root).string());
+  return files;
+}
+
+const std::set<std::string> sources = {".h", ".cpp", ".comp", ".glsl"};
+
+// The folder that decides what a file may use.
+std::string layer_of(const std::string& path) {
+  for (const char* layer : {"host/cli/", "host/window/", "host/", "viewport/", "core/", "tests/"})
+    if (path.starts_with(layer)) return std::string(layer);
+  return "";
+}
+
+// What the files of a layer may include of ours, beside their own layer.
+const std::map<std::string, std::set<std::string>> allowed = {
+    {"core/", {}},
+    {"viewport/", {"core/"}},
+    {"host/", {"core/"}},
+    {"host/cli/", {"core/", "viewport/", "host/"}},
+    {"host/window/", {"core/", "viewport/", "host/"}},
+    {"tests/", {"core/", "viewport/", "host/", "host/cli/", "host/window/"}},
+};
+
+// Includes that are forbidden, one line each.
+std::vector<std::string> forbidden_includes(const std::string& path, const std::string& text) {
+  static const std::regex include(R"re((?:^|\n)\s*#\s*include\s*"([^"]+)")re");
+  std::vector<std::string> found;
+  const std::string layer = layer_of(path);
+  for (std::sregex_iterator match(text.begin(), text.end(), include), end; match != end; ++match) {
+    const std::string used = (*match)[1], other = layer_of(used);
+    if (!other.empty() && other != layer && !allowed.at(layer).contains(other))
+      found.push_back(path + " includes " + used);
+  }
+  return found;
+}
+
+TEST(Structure, AForbiddenIncludeWouldBeSeen) {
+  EXPECT_EQ(forbidden_includes("core/x.h", "#include \"viewport/gl/y.h\"\n").size(), 1u);
+  EXPECT_EQ(forbidden_includes("core/x.h", "\n  #  include \"host/cli/y.h\"\n").size(), 1u);
+  EXPECT_EQ(forbidden_includes("viewport/x.h", "#include \"host/y.h\"").size(), 1u);
+  EXPECT_EQ(forbidden_includes("host/graph/x.h", "#include \"viewport/y.h\"").size(), 1u);
+  EXPECT_EQ(forbidden_includes("host/cli/x.h", "#include \"viewport/y.h\"\n#include <vector>").size(), 0u);
+  EXPECT_EQ(forbidden_includes("viewport/x.h", "#include \"core/y.h\"\n").size(), 0u);
+}
+
+TEST(Structure, IncludesPointOneWayCoreViewportHost) {
+  std::size_t files = 0;
+  for (const char* folder : {"core", "viewport", "host", "tests"})
+    for (const std::string& path : files_under(folder, sources)) {
+      ++files;
+      for (const std::string& line : forbidden_includes(path, text_of(root / path))) ADD_FAILURE() << line;
+    }
+  EXPECT_GT(files, 50u);
+}
+
+// Headers that take seconds to compile may be seen by sources, and by headers that their own folder keeps to
+// itself.
+TEST(Structure, HeavyHeadersDoNotLeaveTheFolderThatNeedsThem) {
+  const std::regex heavy(
+      R"re(#\s*include\s*<(openvdb|OpenImageIO|OpenColorIO|CLI|spdlog|nlohmann)/(?!json_fwd))re");
+  const std::regex include(R"re(#\s*include\s*"([^"]+)")re");
+  std::map<std::string, std::string> texts;
+  for (const char* folder : {"core", "viewport", "host"})
+    for (const std::string& path : files_under(folder, {".h", ".cpp"})) texts[path] = text_of(root / path);
+
+  std::set<std::string> heavy_headers;
+  for (const auto& [path, text] : texts)
+    if (path.ends_with(".h") && std::regex_search(text, heavy)) heavy_headers.insert(path);
+  for (std::size_t before = std::size_t(-1);
+       before != heavy_headers.size();) {  // and those that include them
+    before = heavy_headers.size();
+    for (const auto& [path, text] : texts)
+      for (std::sregex_iterator match(text.begin(), text.end(), include), end; match != end; ++match) {
+        if (!heavy_headers.contains((*match)[1])) continue;
+        EXPECT_EQ(fs::path(path).parent_path(), fs::path((*match)[1].str()).parent_path())
+            << path << " includes " << (*match)[1] << ", which is slow to compile";
+        if (path.ends_with(".h")) heavy_headers.insert(path);
+      }
+  }
+}
+
+TEST(Structure, EverySourceIsListedInTheCMakeListsOfItsFolder) {
+  for (const char* folder : {"core", "viewport", "host", "tests"})
+    for (const std::string& path : files_under(folder, {".cpp"})) {
+      // A folder without a list of its own belongs to the one above.
+      fs::path list = root / fs::path(path).parent_path();
+      std::string name = fs::path(path).filename().string();
+      while (!fs::exists(list / "CMakeLists.txt") && list != root) {
+        name = list.filename().string() + "/" + name;
+        list = list.parent_path();
+      }
+      const std::string text = text_of(list / "CMakeLists.txt");
+      const std::regex listed("(^|[\\s(/])" + std::regex_replace(name, std::regex(R"([.+])"), "\\$&") +
+                              "([\\s)]|$)");
+      EXPECT_TRUE(std::regex_search(text, listed)) << path << " is not in " << (list / "CMakeLists.txt");
+    }
+}
+
+TEST(Structure, NothingStandsAtTheTopThatDoesNotBelongThere) {
+  const std::set<std::string> known = {"core",
+                                       "viewport",
+                                       "host",
+                                       "presets",
+                                       "tests",
+                                       "tools",
+                                       "CMakeLists.txt",
+                                       "README.md",
+                                       "LICENSE",
+                                       "CMakePresets.json",
+                                       ".gitignore",
+                                       ".clang-format",
+                                       ".ci",
+                                       ".git",
+                                       "build",
+                                       "out",
+                                       "docs"};
+  for (const auto& entry : fs::directory_iterator(root))
+    EXPECT_TRUE(known.contains(entry.path().filename().string())) << entry.path();
+}
+
+}  // namespace
+}  // namespace plinian
