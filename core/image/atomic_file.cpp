@@ -37,6 +37,7 @@ class TemporaryFile {
     if (!path_.empty()) ::unlink(path_.c_str());
   }
   bool is_open() const { return descriptor_ >= 0; }
+  const fs::path& path() const { return path_; }
   // These return false with errno set.
   bool write(std::span<const std::uint8_t> bytes) {
     while (!bytes.empty()) {
@@ -98,12 +99,29 @@ void check_writable(const std::string& path) {
     fail(path, "no file can be made in " + target.parent_path().string() + ": " + std::strerror(errno));
 }
 
-void write_file(const std::string& path, std::span<const std::uint8_t> bytes) {
+namespace {
+
+// write: fills the temporary file; false with errno set where it could not.
+template <class Write>
+void write_whole(const std::string& path, Write write) {
   const fs::path target = resolve_target(path);
   TemporaryFile file(target);
   if (!file.is_open())
     fail(path, "no file can be made in " + target.parent_path().string() + ": " + std::strerror(errno));
-  if (!file.write(bytes) || !file.rename_over(target)) fail(path, std::strerror(errno));
+  if (!write(file) || !file.rename_over(target)) fail(path, std::strerror(errno));
+}
+
+}  // namespace
+
+void write_file(const std::string& path, std::span<const std::uint8_t> bytes) {
+  write_whole(path, [&](TemporaryFile& file) { return file.write(bytes); });
+}
+
+void write_file(const std::string& path, const std::function<void(const std::string&)>& fill) {
+  write_whole(path, [&](TemporaryFile& file) {
+    fill(file.path().string());
+    return true;
+  });
 }
 
 void write_file(const std::string& path, std::string_view text) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,5 +18,9 @@ void check_writable(const std::string& path);
 /// before. A link is followed, and the permissions of an existing file are kept. Throws ImageError.
 void write_file(const std::string& path, std::span<const std::uint8_t> bytes);
 void write_file(const std::string& path, std::string_view text);
+
+/// As above for bytes that somebody else writes: `fill` is given the path of the temporary file, which exists
+/// and is empty. What it throws is passed on.
+void write_file(const std::string& path, const std::function<void(const std::string&)>& fill);
 
 }  // namespace plinian

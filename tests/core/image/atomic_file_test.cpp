@@ -132,6 +132,20 @@ TEST(AtomicFile, FollowsALinkAndKeepsPermissions) {
   EXPECT_EQ(status.st_mode & 0777u, 0640u);
 }
 
+TEST(AtomicFile, LetsSomebodyElseWriteAndForgetsWhatFailed) {
+  const TemporaryFolder folder;
+  write_file(folder / "a.vdb", [](const std::string& temporary) { std::ofstream(temporary) << "first"; });
+  EXPECT_EQ(contents(folder / "a.vdb"), "first");
+  EXPECT_THROW(write_file(folder / "a.vdb",
+                          [](const std::string& temporary) {
+                            std::ofstream(temporary) << "half";
+                            throw std::runtime_error("stopped");
+                          }),
+               std::runtime_error);
+  EXPECT_EQ(contents(folder / "a.vdb"), "first");
+  EXPECT_EQ(folder.entries(), 1u);
+}
+
 TEST(AtomicFile, WritesIntoTheCurrentFolderByABareName) {
   const TemporaryFolder folder;
   const std::filesystem::path before = std::filesystem::current_path();
