@@ -51,14 +51,14 @@ struct VdbCancelled : std::runtime_error {
 
 /// What a grid of a file is, as stored.
 struct VdbGridInfo {
-  std::string name;              // as VdbOptions::grid takes it: "density", or "density[1]" of several
-  std::string value_type;        // "float", "half", "double", "int32", "int64", "bool", "vec3s", ...
-  std::string grid_class;        // "fog volume", "level set", "staggered" or "unknown"
-  std::string transform;         // "uniform", "anisotropic", "affine" (rotated or sheared) or "frustum"
-  std::string refusal;           // why it cannot be density as things stand; empty where it can
-  std::string error;             // why it cannot be read at all; empty where it can
-  dmat4 medium_from_index{1.0};  // affine; identity for a frustum
-  dvec3 voxel_size{0.0};         // [file unit] lengths of the index axes
+  std::string name;        // as VdbOptions::grid takes it: "density", or "density[1]" of several
+  std::string value_type;  // "float", "half", "double", "int32", "int64", "bool", "vec3s", ...
+  std::string grid_class;  // "fog volume", "level set", "staggered" or "unknown"
+  std::string transform;   // "uniform", "anisotropic", "affine" (turned, sheared), "frustum" or "singular"
+  std::string refusal;     // why it cannot be density as things stand; empty where it can
+  std::string error;       // why it cannot be read at all; empty where it can
+  dmat4 medium_from_index{1.0};             // affine; identity for a frustum or a singular one
+  dvec3 voxel_size{0.0};                    // [file unit] lengths of the index axes
   std::array<std::int64_t, 3> index_min{};  // lowest active voxel
   std::array<std::int64_t, 3> dims{};       // [voxels] of the active bounding box; 0 where empty
   std::int64_t active_voxels = 0;           // tiles counted as the voxels they stand for
@@ -70,10 +70,11 @@ struct VdbGridInfo {
 
 /// Size and orientation of a file's unit, as good a guess as its metadata allows.
 struct VdbOrientation {
-  double file_unit = 1.0;  // [m] length of one unit of the file
-  char up_axis = 'y';      // 'y' or 'z', of the file's space
-  bool assumed = true;     // nothing in the file speaks for it
-  std::string reason;      // "creator is Blender/Smoke, whose up axis is z", "nothing in the file says"
+  double file_unit = 1.0;    // [m] length of one unit of the file
+  char up_axis = 'y';        // 'y' or 'z', of the file's space
+  bool unit_assumed = true;  // nothing in the file speaks for file_unit
+  bool up_assumed = true;    // nothing in the file speaks for up_axis
+  std::string reason;  // a sentence: "z is up and a unit is a metre, as in Blender (creator: Blender/Smoke)"
   /// Turns the file's space into the scene's: metres, y up.
   dmat4 world_from_medium() const;
 };
