@@ -162,10 +162,12 @@ std::string preset_text(const Quality& quality) {
   return file.dump(2) + "\n";
 }
 
-bool set_quality(Quality& quality, const std::string& name, const std::string& value) {
+bool set_quality(Quality& quality, const std::string& name, const std::string& value,
+                 const std::string& where) {
   const auto* parameter = find_parameter(quality_parameters(), name);
   if (!parameter) return false;
-  parameter->set(quality, read_parameter(parameter->spec, json_from_text(value), "--set " + name));
+  parameter->set(quality, read_parameter(parameter->spec, json_from_text(value),
+                                         where.empty() ? "--set " + name : where));
   return true;
 }
 

@@ -37,7 +37,9 @@ std::vector<std::string> preset_folders();
 std::string preset_text(const Quality& quality);
 
 /// Sets one parameter from text ("map.threshold", "0.02"). Returns false if there is none of that name.
-/// Throws std::runtime_error where the value has a wrong type or is out of range.
-bool set_quality(Quality& quality, const std::string& name, const std::string& value);
+/// where: what errors begin with; empty: "--set NAME". Throws std::runtime_error where the value has a wrong
+/// type or is out of range.
+bool set_quality(Quality& quality, const std::string& name, const std::string& value,
+                 const std::string& where = "");
 
 }  // namespace plinian

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,7 @@ struct MediumDescription {
   std::optional<FrustumMode> frustum;           // of the file
   std::optional<int> resolution;                // [voxels] of a procedural medium's longest side
   std::optional<int> seed;                      // of a procedural medium
+  std::map<std::string, float> shape;           // shape parameters of a procedural medium, by name
   std::optional<UpAxis> up_axis;                // of the file
   std::optional<float> file_unit;               // [world units per unit of the file] > 0
   std::optional<Keep> rescale;                  // what stays where scale or file_unit resizes a volume

@@ -47,6 +47,23 @@ void read_object(const std::vector<Parameter<T>>& table, const json& object, con
   }
 }
 
+// Numbers that shape a procedural medium; which there are depends on its kind, and it checks them.
+void read_shape_value(MediumDescription& medium, const std::string& name, const json& value,
+                      const std::string& where) {
+  const ParameterSpec spec{.name = name, .type = ParameterType::real};
+  medium.shape[name] = float(std::get<double>(read_parameter(spec, value, where)));
+}
+
+void read_medium(const json& object, const std::string& prefix, MediumDescription& medium,
+                 std::vector<std::string> elsewhere = {}) {
+  elsewhere.push_back("shape");
+  read_object(medium_parameters(), object, prefix, medium, elsewhere);
+  if (!object.contains("shape")) return;
+  expect_object(object["shape"], prefix + "shape");
+  for (const auto& [name, value] : object["shape"].items())
+    if (!name.starts_with('_')) read_shape_value(medium, name, value, prefix + "shape." + name);
+}
+
 ivec2 read_size(const json& value, const std::string& where) {
   const ParameterSpec spec{
       .name = "size", .type = ParameterType::integer, .range = ParameterRange::closed(1, max_side)};
@@ -91,12 +108,12 @@ SceneDescription read_scene_file(const std::string& path) {
   std::vector<std::string> own = {"size", "camera", "lights", "media"};
   for (const auto& name : parameter_names(scene_parameters())) own.push_back(name);
   MediumDescription medium;
-  read_object(medium_parameters(), file, prefix, medium, own);
+  read_medium(file, prefix, medium, own);
   bool medium_keys = false;
   for (const auto& [key, value] : file.items()) {
     if (const auto* parameter = find_parameter(scene_parameters(), key))
       parameter->set(scene, read_parameter(parameter->spec, value, prefix + key));
-    medium_keys |= find_parameter(medium_parameters(), key) != nullptr;
+    medium_keys |= key == "shape" || find_parameter(medium_parameters(), key) != nullptr;
   }
   if (file.contains("media")) {
     if (medium_keys)
@@ -107,7 +124,7 @@ SceneDescription read_scene_file(const std::string& path) {
     for (std::size_t i = 0; i < media.size(); ++i) {
       const std::string where = fmt::format("{}media[{}]", prefix, i);
       expect_object(media[i], where);
-      read_object(medium_parameters(), media[i], where + ".", scene.media.emplace_back());
+      read_medium(media[i], where + ".", scene.media.emplace_back());
     }
   } else {
     scene.media.push_back(medium);
@@ -165,8 +182,9 @@ std::vector<std::string> scene_object_names(const SceneDescription& scene) {
   return names;
 }
 
-void set_scene_value(SceneDescription& scene, const std::string& name, const std::string& value) {
-  const std::string where = "--set " + name;
+void set_scene_value(SceneDescription& scene, const std::string& name, const std::string& value,
+                     const std::string& start) {
+  const std::string where = start.empty() ? "--set " + name : start;
   const json parsed = json_from_text(value);
   const auto apply = [&](const auto& table, const std::string& key, auto& object) {
     const auto* parameter = find_parameter(table, key);
@@ -192,7 +210,10 @@ void set_scene_value(SceneDescription& scene, const std::string& name, const std
   if (object == "camera") apply(camera_parameters(), key, scene.camera);
   for (MediumDescription& medium : scene.media)
     if (object == "medium" || object == "media" || object == medium.name) {
-      apply(medium_parameters(), key, medium);
+      if (key.starts_with("shape."))
+        read_shape_value(medium, key.substr(6), parsed, where);
+      else
+        apply(medium_parameters(), key, medium);
       known = true;
     }
   for (LightDescription& light : scene.lights)

@@ -27,8 +27,10 @@ SceneDescription describe_input(const std::string& input);
 
 /// Sets one value, as --set does: "camera.focal_length", "medium.albedo" (every medium), "NAME.KEY" for the
 /// medium or light of that name, "lights.exposure" (every light), "ambient", "background", "size".
+/// where: what errors begin with; empty: "--set NAME".
 /// Throws std::runtime_error, naming the nearest known name: no such object or key, wrong type, out of range.
-void set_scene_value(SceneDescription& scene, const std::string& name, const std::string& value);
+void set_scene_value(SceneDescription& scene, const std::string& name, const std::string& value,
+                     const std::string& where = "");
 
 /// The names that set_scene_value takes before the dot.
 std::vector<std::string> scene_object_names(const SceneDescription& scene);

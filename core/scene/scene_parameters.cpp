@@ -20,7 +20,7 @@ const std::vector<Parameter<MediumDescription>>& medium_parameters() {
                               .help = "what to do with a frustum transform: refuse, or resample",
                               .choices = {"refuse", "resample"}}),
       parameter<&M::resolution>({.name = "resolution",
-                                 .range = Range::closed(8, 2048),
+                                 .range = Range::closed(16, 1024),
                                  .unit = "voxels",
                                  .help = "of a procedural medium's longest side"}),
       parameter<&M::seed>({.name = "seed", .range = Range::at_least(0), .help = "of a procedural medium"}),

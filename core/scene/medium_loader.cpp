@@ -1,0 +1,208 @@
+// Media from their descriptions.
+#include "core/scene/medium_loader.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+
+#include "core/media/density_scale.h"
+#include "core/media/procedural.h"
+#include "core/media/vdb_reader.h"
+#include "core/scene/nearest_word.h"
+#include "core/scene/scene_file.h"
+
+namespace plinian {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+enum class Source { file, procedural, analytic };
+
+bool contains(const std::vector<std::string>& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+Source source_of(const MediumDescription& description) {
+  const std::string& name = description.volume;
+  if (contains(analytic_media, name)) return Source::analytic;
+  if (contains(procedural_kinds(), name)) return Source::procedural;
+  return Source::file;
+}
+
+fs::path path_of(const MediumDescription& description) {
+  const fs::path path(description.volume);
+  return path.is_absolute() || description.folder.empty() ? path : fs::path(description.folder) / path;
+}
+
+// Options of one kind of source must not be ignored silently with another.
+void refuse_foreign_options(const MediumDescription& d, Source source) {
+  const auto refuse = [&](bool given, const char* key, const char* whose) {
+    if (given) throw std::runtime_error(fmt::format("{}: {}: only {} has one", d.volume, key, whose));
+  };
+  if (source != Source::file) {
+    refuse(d.grid.has_value(), "grid", "a .vdb file");
+    refuse(d.temperature_grid.has_value(), "temperature_grid", "a .vdb file");
+    refuse(d.level_set.has_value(), "level_set", "a .vdb file");
+    refuse(d.frustum.has_value(), "frustum", "a .vdb file");
+    refuse(d.up_axis.has_value(), "up_axis", "a .vdb file");
+    refuse(d.file_unit.has_value(), "file_unit", "a .vdb file");
+  }
+  if (source != Source::procedural) {
+    refuse(d.resolution.has_value(), "resolution", "a procedural medium");
+    refuse(d.seed.has_value(), "seed", "a procedural medium");
+    refuse(!d.shape.empty(), "shape", "a procedural medium");
+  }
+}
+
+void refuse_unknown_input(const MediumDescription& d, const fs::path& path) {
+  std::error_code error;
+  if (fs::exists(path, error)) return;
+  std::vector<std::string> known = procedural_kinds();
+  known.insert(known.end(), analytic_media.begin(), analytic_media.end());
+  const bool plain_word = d.volume.find_first_of("./") == std::string::npos;
+  throw std::runtime_error(fmt::format("{}: no such file{}", path.string(),
+                                       plain_word
+                                           ? fmt::format(", and no medium of that name{}; there are: {}",
+                                                         did_you_mean(d.volume, known), join(known))
+                                           : ""));
+}
+
+dmat4 placement(const MediumDescription& d) {
+  const dvec3 scale = d.scale.value_or(dvec3(1.0));
+  if (scale.x * scale.y * scale.z == 0.0)
+    throw std::runtime_error(
+        fmt::format("{}: scale: no axis may be 0, or the volume has no inside", d.volume));
+  dmat4 matrix = rotation_xyz(d.rotate.value_or(dvec3(0.0)));
+  for (int i = 0; i < 3; ++i) matrix[i] *= scale[i];
+  matrix[3] = dvec4(d.translate.value_or(dvec3(0.0)), 1.0);
+  return matrix;
+}
+
+void set_optics(const MediumDescription& d, Medium& medium) {
+  const vec3 extinction = d.extinction.value_or(medium.sigma_s + medium.sigma_a);
+  vec3 albedo(0.0f);
+  for (int i = 0; i < 3; ++i) {
+    const float sum = medium.sigma_s[i] + medium.sigma_a[i];
+    albedo[i] = d.albedo ? (*d.albedo)[i] : sum > 0.0f ? medium.sigma_s[i] / sum : 0.0f;
+  }
+  if (d.albedo || d.extinction) {
+    medium.sigma_s = extinction * albedo;
+    medium.sigma_a = extinction * (vec3(1.0f) - albedo);
+  }
+  medium.sigma_s = d.sigma_s.value_or(medium.sigma_s);
+  medium.sigma_a = d.sigma_a.value_or(medium.sigma_a);
+
+  if (d.g) medium.phase.g = *d.g;
+  if (d.g_back) medium.phase.g_back = *d.g_back;
+  if (d.blend) medium.phase.blend = *d.blend;
+  if (d.phase)
+    medium.phase.kind = *d.phase;
+  else if (d.g && medium.phase.kind == PhaseKind::isotropic && *d.g != 0.0f)
+    medium.phase.kind = PhaseKind::henyey_greenstein;
+}
+
+// What the voxels of a medium mean to an eye: how far one sees into it.
+std::string free_path_text(const Medium& medium, float typical_density) {
+  const vec3 path = mean_free_path(medium, typical_density);
+  return fmt::format("mean free path {:.3g} m at its typical density", std::min({path.x, path.y, path.z}));
+}
+
+Medium read_file(const MediumDescription& d, const SceneLoadOptions& options, LoadedScene& told) {
+  const fs::path path = path_of(d);
+  refuse_unknown_input(d, path);
+  VdbOptions vdb;
+  vdb.grid = d.grid.value_or("");
+  // In a scene of other programs a temperature that nobody mentions would be light that nobody expects.
+  const bool emits = d.guess_orientation || d.temperature_grid || d.emission_scale;
+  vdb.temperature_grid = emits ? d.temperature_grid.value_or("") : "none";
+  vdb.level_set = d.level_set.value_or(LevelSetMode::refuse);
+  vdb.frustum = d.frustum.value_or(FrustumMode::refuse);
+  vdb.time_limit_s = options.vdb_time_limit_s;
+  vdb.memory_limit_bytes = options.vdb_memory_limit_bytes;
+  vdb.progress = options.progress;
+  VdbVolume file;
+  try {
+    file = read_vdb(path.string(), vdb);
+  } catch (const VdbCancelled&) {
+    throw SceneLoadCancelled();
+  }
+  const std::string name = path.filename().string();
+  for (const std::string& line : file.facts.notes) told.notes.push_back(name + ": " + line);
+  for (const VdbWarning& warning : file.facts.warnings) told.warnings.push_back(name + ": " + warning.text);
+
+  Medium medium;
+  medium.volume = file.volume;
+  VdbOrientation orientation = d.guess_orientation ? file.facts.orientation : VdbOrientation{};
+  if (d.up_axis) orientation.up_axis = *d.up_axis == UpAxis::z ? 'z' : 'y';
+  if (d.file_unit) orientation.file_unit = *d.file_unit;
+  medium.world_from_medium = orientation.world_from_medium();
+  if (d.guess_orientation && !(d.up_axis && d.file_unit))
+    told.notes.push_back(fmt::format("{}: {} (--up-axis, --file-unit)", name, file.facts.orientation.reason));
+  if (!file.facts.temperature.empty()) {
+    medium.emission.scale = 1.0f;
+    if (!d.emission_scale)
+      told.notes.push_back(fmt::format("{}: '{}' makes it glow (medium.emission_scale=0 turns that off)",
+                                       name, file.facts.temperature.front().name));
+    // Voxels hold kelvin already; a scale per unit of the file is one on top of what they were multiplied by.
+    if (d.temperature_scale)
+      medium.emission.temperature_scale = float(*d.temperature_scale / file.facts.temperature_gain);
+  }
+  return medium;
+}
+
+Medium make_medium(const MediumDescription& d, const SceneLoadOptions& options, LoadedScene& told) {
+  ProceduralSettings settings;
+  settings.kind = d.volume;
+  if (d.resolution) settings.resolution = *d.resolution;
+  if (d.seed) settings.seed = std::uint32_t(*d.seed);
+  settings.shape = d.shape;
+  if (!told.seed) told.seed = int(settings.seed);
+  try {
+    return procedural_medium(settings, options.progress);
+  } catch (const ProceduralCancelled&) {
+    throw SceneLoadCancelled();
+  }
+}
+
+}  // namespace
+
+Medium load_medium(const MediumDescription& d, const SceneLoadOptions& options, LoadedScene& told) {
+  const Source source = source_of(d);
+  refuse_foreign_options(d, source);
+  const dmat4 placed = placement(d);
+  Medium medium;
+  if (source == Source::file) medium = read_file(d, options, told);
+  if (source == Source::procedural) medium = make_medium(d, options, told);
+  if (source == Source::analytic) medium.shape = d.volume == "box" ? MediumShape::box : MediumShape::sphere;
+  medium.name = d.name.empty() ? "medium" : d.name;
+  medium.world_from_medium = placed * medium.world_from_medium;
+
+  set_optics(d, medium);
+  if (d.emission_scale) medium.emission.scale = *d.emission_scale;
+  if (d.emission_exposure) medium.emission.exposure = *d.emission_exposure;
+  if (d.temperature_offset) medium.emission.temperature_offset = *d.temperature_offset;
+  if (d.temperature_scale && source == Source::procedural)
+    medium.emission.temperature_scale = *d.temperature_scale;
+
+  const double size_factor = std::cbrt(std::abs(determinant(dmat3(placed)))) *
+                             (source == Source::file ? double(d.file_unit.value_or(1.0f)) : 1.0);
+  if (d.density_scale) medium.density_scale = *d.density_scale;
+  if (source == Source::file && !d.density_scale) {
+    medium.density_scale = automatic_density_scale(*medium.volume, medium.world_from_medium);
+    if (!medium.volume->empty()) {
+      const DensityFacts facts = measure_density(*medium.volume, medium.world_from_medium);
+      told.notes.push_back(
+          fmt::format("{}: density scale {:.4g}, for a median optical depth of 12; {} (--density-scale)",
+                      path_of(d).filename().string(), medium.density_scale,
+                      free_path_text(medium, facts.typical_density)));
+    }
+  } else if (d.rescale == Keep::optical_depth) {
+    medium.density_scale = float(medium.density_scale / size_factor);
+  }
+  return medium;
+}
+
+}  // namespace plinian
