@@ -1,0 +1,70 @@
+// Progress and interruption.
+#include "host/cli/progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+
+#include "host/cli/console.h"
+
+namespace plinian::cli {
+
+namespace {
+
+std::atomic<bool> interrupt_flag{false};
+static_assert(std::atomic<bool>::is_always_lock_free);  // may be set by a signal handler
+
+void on_interrupt(int signal) {
+  interrupt_flag = true;
+  std::signal(signal, SIG_DFL);
+}
+
+std::string time_text(double seconds) {
+  const int whole = int(seconds + 0.5);
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{}:{:02} min", whole / 60, whole % 60);
+  return fmt::format("{}:{:02} h", whole / 3600, whole / 60 % 60);
+}
+
+}  // namespace
+
+void catch_interrupts() {
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+}
+
+bool interrupted() {
+  return interrupt_flag;
+}
+
+ProgressBar::ProgressBar(std::string label)
+    : label_(std::move(label)), visible_(isatty(STDERR_FILENO) && !is_quiet()), start_(Clock::now()) {}
+
+ProgressBar::~ProgressBar() {
+  if (drawn_) std::fputs("\r\033[K", stderr);
+}
+
+bool ProgressBar::operator()(double share) {
+  const auto now = Clock::now();
+  const double elapsed = std::chrono::duration<double>(now - start_).count();
+  // What is over in a blink needs no bar, and ten lines a second are enough.
+  if (visible_ && elapsed > 0.3 && std::chrono::duration<double>(now - last_).count() > 0.1) {
+    last_ = now;
+    drawn_ = true;
+    share = std::clamp(share, 0.0, 1.0);
+    const int width = 30, full = int(share * width);
+    const std::string left = share > 0.01 ? time_text(elapsed * (1.0 - share) / share) + " left" : "";
+    std::fputs(fmt::format("\r{} [{}{}] {:3.0f}%  {}\033[K", label_, std::string(std::size_t(full), '#'),
+                           std::string(std::size_t(width - full), '.'), share * 100.0, left)
+                   .c_str(),
+               stderr);
+    std::fflush(stderr);
+  }
+  return !interrupted();
+}
+
+}  // namespace plinian::cli

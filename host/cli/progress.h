@@ -1,0 +1,33 @@
+// A plain progress bar on a terminal, and Ctrl-C.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+namespace plinian::cli {
+
+/// From now on Ctrl-C and a polite kill raise a flag; a second one ends the program as usual.
+void catch_interrupts();
+bool interrupted();
+
+/// Draws one line on standard error where that is a terminal and notes are not silenced; else nothing.
+/// Leaves an empty line behind when it goes.
+class ProgressBar {
+ public:
+  explicit ProgressBar(std::string label);
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  /// share: [-] of the work, in [0, 1]. Returns false once the user has interrupted.
+  bool operator()(double share);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::string label_;
+  bool visible_;
+  bool drawn_ = false;
+  Clock::time_point start_, last_{};
+};
+
+}  // namespace plinian::cli

@@ -1,0 +1,234 @@
+// Scene arguments: from words to a snapshot.
+#include "host/cli/scene_arguments.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+
+#include "core/scene/nearest_word.h"
+#include "core/scene/preset.h"
+#include "core/scene/quality_parameters.h"
+#include "core/scene/scene_file.h"
+#include "core/scene/scene_parameters.h"
+#include "host/cli/console.h"
+#include "host/cli/progress.h"
+
+namespace plinian::cli {
+
+namespace {
+
+// Options that are another word for --set: what people reach for first has a short name.
+struct ShortOption {
+  const char *option, *key, *value_name, *help;
+};
+constexpr ShortOption scene_options[] = {
+    {"--grid", "medium.grid", "NAME",
+     "density grid of the file: NAME, NAME[INDEX], or NAME[*] for their sum"},
+    {"--temperature-grid", "medium.temperature_grid", "NAME", "temperature grid of the file, or none"},
+    {"--level-set", "medium.level_set", "refuse|fog", "fog: a level set is converted to a fog volume"},
+    {"--frustum", "medium.frustum", "refuse|resample",
+     "resample: a grid with a frustum transform is resampled"},
+    {"--up-axis", "medium.up_axis", "y|z", "which way is up in the file (guessed from its metadata)"},
+    {"--file-unit", "medium.file_unit", "METRES",
+     "length of one unit of the file (guessed from its metadata)"},
+    {"--rescale", "medium.rescale", "extinction|optical_depth", "what stays where a volume is resized"},
+    {"--density-scale", "medium.density_scale", "FACTOR",
+     "on density (median optical depth 12 if not given)"},
+    {"--resolution", "medium.resolution", "N", "voxels along the longest side of a procedural medium"},
+    {"--seed", "medium.seed", "N", "of a procedural medium"},
+};
+constexpr ShortOption quality_options[] = {
+    {"--encoding", "map.encoding", "tfm|atfm", "how light is stored along a ray"},
+    {"--coefficients", "map.coefficients", "N", "cosine terms per texel, 2 to 16"},
+    {"--threshold", "map.threshold", "T", "transmittance under which a light ray counts as dead"},
+};
+
+bool is_quality(const std::string& key) {
+  return key.starts_with("map.") || key.starts_with("view.");
+}
+
+struct Edit {
+  std::string key, value, where;
+};
+
+// --set and its shorter forms, in the order of the command line within each kind; --set comes last.
+std::vector<Edit> edits_of(const SceneArguments& arguments) {
+  std::vector<Edit> edits;
+  for (const auto& [option, value] : arguments.values)
+    for (const auto& table :
+         {std::span<const ShortOption>(scene_options), std::span<const ShortOption>(quality_options)})
+      for (const ShortOption& known : table)
+        if (option == known.option) edits.push_back({known.key, value, option});
+  for (const std::string& text : arguments.set) {
+    const auto equals = text.find('=');
+    if (equals == std::string::npos || equals == 0)
+      throw std::runtime_error(fmt::format("--set {}: expected KEY=VALUE, such as medium.albedo=0.5", text));
+    edits.push_back({text.substr(0, equals), text.substr(equals + 1), "--set " + text.substr(0, equals)});
+  }
+  return edits;
+}
+
+template <class T>
+void list_parameters(std::string& text, const std::string& prefix, const std::vector<Parameter<T>>& table,
+                     const T* values) {
+  for (const auto& parameter : table) {
+    const ParameterSpec& spec = parameter.spec;
+    std::string line = fmt::format("  {:<26} {}", prefix + spec.name, expectation(spec));
+    if (!spec.unit.empty()) line += " [" + spec.unit + "]";
+    if (values)
+      if (const auto value = parameter.get(*values)) line += fmt::format(" ({})", to_text(spec, *value));
+    text += line + "\n" + fmt::format("  {:<26}   {}\n", "", spec.help);
+  }
+}
+
+}  // namespace
+
+void add_scene_arguments(CLI::App& app, SceneArguments& arguments, bool with_preset) {
+  app.add_option("INPUT", arguments.input,
+                 "a .vdb file, a procedural medium (ash, cloud, sandstorm, explosion) or a .json scene")
+      ->required();
+  const auto add = [&](const ShortOption& option, const char* group) {
+    app.add_option_function<std::string>(
+           option.option,
+           [&arguments, name = std::string(option.option)](const std::string& value) {
+             arguments.values.emplace_back(name, value);
+           },
+           option.help)
+        ->type_name(option.value_name)
+        ->group(group);
+  };
+  if (with_preset)
+    app.add_option("--preset", arguments.preset, "fast, high, one of your own, or a file")
+        ->type_name("NAME|FILE")
+        ->capture_default_str()
+        ->group("Quality");
+  for (const ShortOption& option : quality_options) add(option, "Quality");
+  for (const ShortOption& option : scene_options) add(option, "Volume");
+  app.add_option("--vdb-time-limit", arguments.vdb_time_limit_s, "for reading a .vdb (grows with the file)")
+      ->type_name("SECONDS")
+      ->check(CLI::PositiveNumber)
+      ->group("Volume");
+  app.add_option("--vdb-memory-limit", arguments.vdb_memory_limit, "for reading a .vdb, such as 4G")
+      ->type_name("BYTES")
+      ->group("Volume");
+  app.add_option("--size", arguments.size, "of the picture (512x512, or what the scene says)")
+      ->type_name("WIDTHxHEIGHT");
+  app.add_option(
+         "--set", arguments.set,
+         "any value of scene or preset: medium.albedo=0.5,0.5,0.5, key.exposure=1, map.threshold=0.02; may "
+         "be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  app.add_flag_callback(
+      "--help-quality",
+      [] {
+        print(quality_help());
+        throw CLI::Success();
+      },
+      "list what presets hold");
+  app.add_flag_callback(
+      "--help-scene",
+      [] {
+        print(scene_help());
+        throw CLI::Success();
+      },
+      "list what scenes hold");
+}
+
+Quality prepare_quality(const SceneArguments& arguments, const std::string& name) {
+  Preset preset = load_preset(name, preset_folders());
+  for (const std::string& warning : preset.warnings) warn(warning);
+  for (const Edit& edit : edits_of(arguments))
+    if (is_quality(edit.key) && !set_quality(preset.quality, edit.key, edit.value, edit.where))
+      throw std::runtime_error(fmt::format("{}: unknown key{}; --help-quality lists them", edit.where,
+                                           did_you_mean(edit.key, parameter_names(quality_parameters()))));
+  return preset.quality;
+}
+
+PreparedScene prepare_scene(const SceneArguments& arguments) {
+  const auto start = std::chrono::steady_clock::now();
+  // Everything that is wrong with the words is told before anything is read that takes time.
+  const Quality quality = prepare_quality(arguments, arguments.preset);
+  SceneDescription description = describe_input(arguments.input);
+  for (const Edit& edit : edits_of(arguments))
+    if (!is_quality(edit.key)) set_scene_value(description, edit.key, edit.value, edit.where);
+  if (!arguments.size.empty()) description.size = parse_size(arguments.size);
+
+  SceneLoadOptions options;
+  options.vdb_time_limit_s = arguments.vdb_time_limit_s;
+  if (!arguments.vdb_memory_limit.empty())
+    options.vdb_memory_limit_bytes = parse_bytes(arguments.vdb_memory_limit, "--vdb-memory-limit");
+  PreparedScene scene;
+  {
+    ProgressBar bar("reading");
+    options.progress = [&](double share) { return bar(share); };
+    scene.loaded = load_scene(description, options);
+  }
+  scene.loaded.snapshot.quality = quality;
+  for (const std::string& line : scene.loaded.notes) note(line);
+  for (const std::string& line : scene.loaded.warnings) warn(line);
+  scene.load_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return scene;
+}
+
+std::string quality_help() {
+  const Quality fast;
+  std::string text = "Quality parameters, for presets and --set (the built-in default in brackets):\n";
+  list_parameters(text, "", quality_parameters(), &fast);
+  const auto names = preset_names(preset_folders());
+  text += "Presets: " + (names.empty() ? "none" : join(names)) +
+          "\nLooked for in: " + join(preset_folders()) + "\n";
+  return text;
+}
+
+std::string scene_help() {
+  std::string text = "Keys of a scene, for .json files and --set:\n";
+  list_parameters<SceneDescription>(text, "", scene_parameters(), nullptr);
+  text += fmt::format("  {:<26} [width, height] in pixels\n", "size");
+  text += "of the camera:\n";
+  list_parameters<CameraDescription>(text, "camera.", camera_parameters(), nullptr);
+  text += "of each medium (in \"media\": [...], or in the scene itself where there is one):\n";
+  list_parameters<MediumDescription>(text, "medium.", medium_parameters(), nullptr);
+  text += fmt::format(
+      "  {:<26} a number\n  {:<26}   shape of a procedural medium; 'plinian make --help' lists them\n",
+      "medium.shape.NAME", "");
+  text += "of each light (in \"lights\": [...]; without them there are two, called key and rim):\n";
+  list_parameters<LightDescription>(text, "LIGHT.", light_parameters(), nullptr);
+  return text;
+}
+
+ivec2 parse_size(const std::string& text) {
+  ivec2 size(0);
+  const char* const end = text.data() + text.size();
+  const auto [middle, error] = std::from_chars(text.data(), end, size.x);
+  if (error == std::errc() && middle != end && (*middle == 'x' || *middle == 'X')) {
+    const auto [rest, second_error] = std::from_chars(middle + 1, end, size.y);
+    if (second_error == std::errc() && rest == end && size.x >= 1 && size.y >= 1 && size.x <= 32768 &&
+        size.y <= 32768)
+      return size;
+  }
+  throw std::runtime_error(
+      fmt::format("--size {}: expected WIDTHxHEIGHT in pixels from 1 to 32768, such as 1280x720", text));
+}
+
+std::uint64_t parse_bytes(const std::string& text, const std::string& option) {
+  double number = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  const std::string unit(rest, end);
+  const std::vector<std::pair<std::string, double>> units = {{"", 0},     {"K", 10},   {"KiB", 10},
+                                                             {"M", 20},   {"MiB", 20}, {"G", 30},
+                                                             {"GiB", 30}, {"T", 40},   {"TiB", 40}};
+  if (error == std::errc() && std::isfinite(number) && number > 0.0)
+    for (const auto& [name, power] : units)
+      if (unit == name && number * std::exp2(power) < 0x1p63) return std::uint64_t(number * std::exp2(power));
+  throw std::runtime_error(
+      fmt::format("{} {}: expected a number of bytes, such as 512M or 4G", option, text));
+}
+
+}  // namespace plinian::cli

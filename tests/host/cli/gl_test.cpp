@@ -1,0 +1,24 @@
+// The program on the GL renderer.
+#include "tests/host/cli/program_fixture.h"
+
+namespace plinian {
+namespace {
+
+using nlohmann::json;
+
+TEST_F(Program, BenchTimesEveryEditOfTheGlRenderer) {
+  const Ended ended = run(
+      {"bench", "ash", "--resolution", "32", "--size", "32x32", "--runs", "1", "--renderer", "gl", "--json"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  expect_bench_shape(json::parse(ended.out), "gl");
+}
+
+TEST_F(Program, RendersOnGl) {
+  const Ended ended = run({"render", "ash", "--resolution", "32", "-o", "a.exr", "--renderer", "gl",
+                           "--samples", "4", "--size", "32x32"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_GT(mean_of(picture("a.exr"), "A"), 0.1);
+}
+
+}  // namespace
+}  // namespace plinian

@@ -1,0 +1,30 @@
+// Runs the built program as a person would, and keeps what it says.
+#pragma once
+
+#include <csignal>
+#include <string>
+#include <vector>
+
+namespace plinian {
+
+struct Ended {
+  int code = -1;    // exit code; 128 + signal where one ended it
+  std::string out;  // standard output
+  std::string err;  // standard error
+
+  /// Lines of standard error.
+  int error_lines() const;
+};
+
+struct RunOptions {
+  std::string folder = ".";                                           // to run in
+  std::vector<std::pair<std::string, std::string>> environment = {};  // beside what there is
+  unsigned user = 0;            // to run as, where the test runs as the superuser; 0: as the test does
+  double signal_after_s = 0.0;  // sends SIGINT so long after the start; 0: never
+};
+
+/// Runs `plinian` with the arguments. Its user presets are looked for in an empty place unless the
+/// environment says otherwise, so that nobody's own presets change a test.
+Ended plinian_program(const std::vector<std::string>& arguments, const RunOptions& options = {});
+
+}  // namespace plinian

@@ -1,0 +1,63 @@
+// What tests of the commands share: a folder to work in, and looks at what was written.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "core/image/image_io.h"
+#include "tests/core/scene/temporary_folder.h"
+#include "tests/host/cli/program.h"
+
+namespace plinian {
+
+class Program : public testing::Test {
+ protected:
+  Ended run(const std::vector<std::string>& arguments, RunOptions options = {}) {
+    options.folder = folder_.path().string();
+    return plinian_program(arguments, options);
+  }
+  Ended render(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "render");
+    arguments.insert(arguments.end(), {"--renderer", "cpu", "--samples", "1", "--size", "48x32"});
+    const Ended ended = run(arguments);
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return ended;
+  }
+  Image picture(const std::string& name) { return read_image(folder_ / name); }
+  std::string text_fact(const Image& image, const char* name) {
+    const auto found = image.metadata.find(name);
+    return found == image.metadata.end() ? "(missing)" : std::get<std::string>(found->second);
+  }
+
+  TemporaryFolder folder_;
+};
+
+inline double mean_of(const Image& image, const std::string& channel) {
+  double sum = 0.0;
+  for (const float value : image.find(channel)->values) sum += value;
+  return sum / double(image.pixel_count());
+}
+
+// The shape that scripts rely on.
+inline void expect_bench_shape(const nlohmann::json& report, const std::string& renderer) {
+  for (const char* preset : {"fast", "high"})
+    for (const char* key : {"map_build_ms", "orbit_frame_ms", "albedo_edit_ms", "extinction_edit_ms",
+                            "light_edit_ms", "frame_change_ms", "volume_bytes", "map_bytes"})
+      EXPECT_TRUE(report["renderers"][renderer][preset][key].is_number()) << preset << "." << key;
+  EXPECT_TRUE(report["ratios"].is_object());
+  EXPECT_EQ(report["size"], nlohmann::json({32, 32}));
+  // Neither an orbit nor an albedo edit costs a map; what changes the light's way through the medium does.
+  for (const char* preset : {"fast", "high"}) {
+    const nlohmann::json& builds = report["map_builds"][renderer][preset];
+    EXPECT_EQ(builds["orbit_frame"], 0);
+    EXPECT_EQ(builds["albedo_edit"], 0);
+    EXPECT_GT(builds["extinction_edit"].get<int>(), 0);
+    EXPECT_GT(builds["light_edit"].get<int>(), 0);
+    EXPECT_GT(builds["frame_change"].get<int>(), 0);
+  }
+}
+
+}  // namespace plinian
