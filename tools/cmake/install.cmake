@@ -1,0 +1,25 @@
+# cmake --install: the program, the libraries with their headers, presets, and what find_package(plinian) reads.
+include(CMakePackageConfigHelpers)
+
+foreach(library core viewport)
+  if(TARGET plinian_${library})
+    set_target_properties(plinian_${library} PROPERTIES EXPORT_NAME ${library})
+    install(TARGETS plinian_${library} EXPORT plinian-targets)
+  endif()
+endforeach()
+install(TARGETS plinian)
+
+foreach(folder core viewport)
+  install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plinian FILES_MATCHING PATTERN "*.h")
+endforeach()
+install(DIRECTORY presets DESTINATION ${CMAKE_INSTALL_DATADIR}/plinian)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/plinian)
+install(EXPORT plinian-targets NAMESPACE plinian:: DESTINATION ${package})
+configure_package_config_file(tools/cmake/plinian-config.cmake.in ${PROJECT_BINARY_DIR}/plinian-config.cmake
+                              INSTALL_DESTINATION ${package})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/plinian-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/plinian-config.cmake ${PROJECT_BINARY_DIR}/plinian-config-version.cmake
+              tools/cmake/FindOpenImageIO.cmake tools/cmake/FindOpenColorIO.cmake
+        DESTINATION ${package})
