@@ -44,10 +44,16 @@ std::pair<double, double> clip(const Line& line, dvec3 low, dvec3 high) {
   return {enter, leave};
 }
 
-/// Integrates density along the whole line: cell by cell of the tree, in steps of at most a voxel inside
-/// bricks.
+/// The longest step between samples [voxels]: one, or in a volume of more than 256^3 voxels what makes some
+/// 256 of a ray through it.
+double longest_step(const BrickVolume& volume) {
+  return std::clamp(std::cbrt(double(volume.brick_count()) * 512.0) / 256.0, 1.0, 4.0);
+}
+
+/// Integrates density along the whole line: cell by cell of the tree, in even steps inside bricks.
 Column integrate(const BrickVolume& volume, const Line& line) {
   Column column;
+  const double steps_per_voxel = 1.0 / longest_step(volume);
   const double voxels_per_unit = glm::length(line.direction);
   const double nudge = 1e-4 / voxels_per_unit;
   auto [t, end] = clip(line, dvec3(volume.bounds_min), dvec3(volume.bounds_max));
@@ -61,7 +67,7 @@ Column integrate(const BrickVolume& volume, const Line& line) {
         clip(line, dvec3(cell.corner - around * cell.size), dvec3(cell.corner + (around + 1) * cell.size));
     const double next = std::min(end, std::max(leave, t + nudge));
     if (occupied) {
-      const int steps = std::max(1, int(std::ceil((next - t) * voxels_per_unit)));
+      const int steps = std::max(1, int(std::ceil((next - t) * voxels_per_unit * steps_per_voxel)));
       const double step = (next - t) / steps;
       for (int i = 0; i < steps; ++i) {
         const double density =

@@ -14,6 +14,12 @@ namespace plinian::vdb {
 /// What mending a grid's values took, in voxels.
 struct Mended {
   std::int64_t not_a_number = 0, infinite = 0, negative = 0;
+  Mended& operator+=(const Mended& other) {
+    not_a_number += other.not_a_number;
+    infinite += other.infinite;
+    negative += other.negative;
+    return *this;
+  }
 };
 
 /// More voxels than the limit on memory allows.
@@ -26,11 +32,11 @@ struct TooManyVoxels : std::runtime_error {
 Mended mend(openvdb::FloatGrid& grid, float outside);
 
 struct BlockJob {
-  std::vector<openvdb::FloatGrid::ConstPtr> density;      // summed; more than one: mended beforehand
-  std::vector<openvdb::FloatGrid::ConstPtr> temperature;  // their maximum; mended beforehand
-  float temperature_gain = 1.0f;                          // [K / unit of the grid]
-  openvdb::math::Transform::Ptr target;                   // linear; the lattice of the result
-  std::uint64_t most_bytes = 0;                           // [bytes] of voxels that may leave
+  std::vector<openvdb::FloatGrid::Ptr> density;      // summed; more than one: mended beforehand
+  std::vector<openvdb::FloatGrid::Ptr> temperature;  // their maximum; mended beforehand
+  float temperature_gain = 1.0f;                     // [K / unit of the grid]
+  openvdb::math::Transform::Ptr target;              // linear; the lattice of the result
+  std::uint64_t most_bytes = 0;                      // [bytes] of voxels that may leave
 };
 
 struct BlockResult {

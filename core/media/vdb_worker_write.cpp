@@ -3,12 +3,10 @@
 
 #include <openvdb/io/Archive.h>
 #include <openvdb/openvdb.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "core/media/vdb_worker_file.h"
 
@@ -52,42 +50,7 @@ FloatGrid::Ptr make_grid(const nlohmann::json& request, const std::string& name)
 
 }  // namespace
 
-void Inlet::take(void* to, std::size_t bytes) {
-  auto* at = static_cast<std::byte*>(to);
-  while (bytes > 0) {
-    const ssize_t got = ::read(descriptor_, at, bytes);
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) throw std::runtime_error("the program stopped talking");
-    at += got;
-    bytes -= static_cast<std::size_t>(got);
-  }
-}
-
-MessageKind Inlet::next() {
-  MessageHeader header;
-  take(&header, sizeof header);
-  if (header.bytes > max_json_bytes) throw std::runtime_error("the program sent nonsense");
-  payload_.resize(header.bytes);
-  take(payload_.data(), header.bytes);
-  return header.kind;
-}
-
-std::string Inlet::request() {
-  if (next() != MessageKind::request) throw std::runtime_error("the program sent nonsense");
-  return {reinterpret_cast<const char*>(payload_.data()), payload_.size()};
-}
-
-std::span<const std::byte> Inlet::blocks() {
-  if (next() == MessageKind::end) return {};
-  return payload_;
-}
-
-std::string path_of(const nlohmann::json& request) {
-  const auto bytes = request.at("path").get<std::vector<std::uint8_t>>();
-  return {bytes.begin(), bytes.end()};
-}
-
-nlohmann::json write_file(const nlohmann::json& request, Inlet& inlet) {
+void write_file(const nlohmann::json& request, Inlet& inlet, const Outlet& outlet) {
   const FloatGrid::Ptr density = make_grid(request, request.at("density_grid").get<std::string>());
   const FloatGrid::Ptr heat = make_grid(request, request.at("temperature_grid").get<std::string>());
   BlockReader reader;
@@ -110,7 +73,8 @@ nlohmann::json write_file(const nlohmann::json& request, Inlet& inlet) {
   } catch (const std::ios_base::failure&) {
     throw BadFile(std::string("it cannot be written: ") + std::strerror(errno));
   }
-  return {{"density_voxels", density->activeVoxelCount()}, {"temperature_voxels", heat->activeVoxelCount()}};
+  outlet.result(
+      {{"density_voxels", density->activeVoxelCount()}, {"temperature_voxels", heat->activeVoxelCount()}});
 }
 
 }  // namespace plinian::vdb
