@@ -32,6 +32,7 @@ class BrickVolume {
   static constexpr int node_size = 8;       // children along a side of a node
   static constexpr std::uint32_t occupied_bit = 0x80000000u;
   static constexpr std::size_t max_root_cells = 1u << 18;
+  static constexpr int max_root_side = 1024;  // cells
 
   ivec3 origin{0};     // index-space voxel of the first cell of the root; a multiple of the root's cell size
   ivec3 root_dims{0};  // cells of the root along each axis; all zero for an empty volume

@@ -241,6 +241,8 @@ BrickVolume BrickVolumeBuilder::build(const dmat4& medium_from_index) {
   }
   const auto cells_at = [&](int level) {
     const ivec3 dims = shift_right(brick_high, 3 * level) - shift_right(brick_low, 3 * level) + 1;
+    // Long thin roots would not fit a texture.
+    if (std::max({dims.x, dims.y, dims.z}) > BrickVolume::max_root_side) return HUGE_VAL;
     return double(dims.x) * dims.y * dims.z;
   };
   while (cells_at(volume.levels) > double(BrickVolume::max_root_cells)) ++volume.levels;

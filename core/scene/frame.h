@@ -34,6 +34,7 @@ struct RenderStats {
   std::size_t map_bytes = 0;
   int passes = 0;                                 // jittered passes in the picture
   double upload_ms = 0, map_ms = 0, view_ms = 0;  // wall clock of the last render's parts
+  double map_cpu_ms = 0, view_cpu_ms = 0;  // processor time of the same, summed over threads
   std::vector<std::string> warnings;
 };
 

@@ -22,6 +22,12 @@ enum class EndRule {
   last_value,  // the series' own value at its end, as the published text reads; leaks light
 };
 
+/// Where shading points get their light from.
+enum class LightLookup {
+  map,    // decoded from a transmittance map
+  march,  // a march to the light from every shading point: the honest yardstick for the maps' speed
+};
+
 struct MapQuality {
   Encoding encoding = Encoding::atfm;
   int coefficients = 6;     // [2, 16] cosine terms per texel
@@ -41,6 +47,9 @@ struct ViewQuality {
   float transmittance_cutoff = 0.002f;  // [-] a ray ends where nothing more than this could be seen
   int passes = 64;                      // jittered passes until the picture counts as converged
   bool exact_light_at_rest = false;     // further passes at rest replace map lookups by the light march
+  LightLookup light = LightLookup::map;
+  float march_step = 1.0f;   // [voxels] of a marched light ray
+  float march_depth = 5.0f;  // [-] optical depth at which a marched light ray ends
 };
 
 struct Quality {

@@ -68,6 +68,7 @@ using glm::unpackHalf2x16;
 #define PLN_CONST inline constexpr
 #define PLN_OUT(type) type&
 #define PLN_INOUT(type) type&
+#define PLN_COEFFICIENTS(name) float(&name)[16]
 
 #else  // GLSL
 
@@ -77,6 +78,7 @@ using glm::unpackHalf2x16;
 #define PLN_CONST const
 #define PLN_OUT(type) out type
 #define PLN_INOUT(type) inout type
+#define PLN_COEFFICIENTS(name) inout float name[16]
 
 #endif
 #endif

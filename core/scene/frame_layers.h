@@ -1,0 +1,33 @@
+// From sums over passes to a Frame: what the two map-based renderers share.
+#pragma once
+
+#include <vector>
+
+#include "core/scene/frame.h"
+#include "core/scene/snapshot.h"
+
+namespace plinian {
+
+/// What passes add up, per pixel.
+struct FrameSums {
+  FrameSums(const SceneSnapshot& scene, std::size_t light_count);
+  std::vector<vec3> transmittance;        // [-]
+  std::vector<vec3> ambient;              // [-] in-scattered share of L_a
+  std::vector<vec3> emission;             // [radiance]
+  std::vector<float> depth;               // [world] of the first pass, 1e30 where there is none
+  std::vector<std::vector<vec3>> lights;  // [radiance]
+};
+
+/// Adds further passes to what the first ones gathered; the depth stays that of the first.
+void add_passes(FrameSums& sums, const FrameSums& more);
+
+/// Means, the ambient light's colour, the background behind, and their sum. Takes the sums' memory over.
+Frame resolve(FrameSums& sums, const SceneSnapshot& scene, int passes);
+
+/// A picture without any medium: the background.
+Frame empty_frame(const SceneSnapshot& scene);
+
+/// Processor time of this process over all threads [ms]: what a busy machine does not stretch.
+double processor_milliseconds();
+
+}  // namespace plinian

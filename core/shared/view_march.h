@@ -1,0 +1,271 @@
+// The view march: single scattering along a camera ray, with light read from transmittance maps.
+//
+// Everything visible of a dense medium happens in its first few optical depths, so light is looked up where
+// opacity is gained: the ray's opacity is cut into equal quanta, cheap density samples find where each begins
+// and ends (inside a voxel too: extinction is linear between samples and can be inverted), and each quantum
+// is shaded once. All rays of a SIMD group shade together. Every piece of the ray is integrated analytically,
+// so coarse steps lose no energy.
+#ifndef PLINIAN_SHARED_VIEW_MARCH_H
+#define PLINIAN_SHARED_VIEW_MARCH_H
+#include "core/shared/blackbody_lookup.h"
+#include "core/shared/light_falloff.h"
+#include "core/shared/light_march.h"
+#include "core/shared/map_decode.h"
+#include "core/shared/phase.h"
+PLN_BEGIN
+
+struct ViewControls {
+  float quantum;     // [-] opacity gained between two light lookups
+  float step;        // [voxels] between density samples
+  float first_step;  // [voxels] in (0, step]: jitter of the density samples
+  float jitter;      // [-] in [0, 1): where in its quantum a lookup stands; negative: at its centroid
+  float cutoff;      // [-] transmittance at which the ray ends
+};
+
+/// The direction through a pixel's centre [world], unit; rows run downwards. See CameraRays.
+PLN_FN vec3 pixel_direction(vec3 forward, vec3 right, vec3 up, ivec2 pixel, ivec2 size) {
+  float x = 2.0f * (float(pixel.x) + 0.5f) / float(size.x) - 1.0f;
+  float y = 1.0f - 2.0f * (float(pixel.y) + 0.5f) / float(size.y);
+  return normalize(forward + x * right + y * up);
+}
+
+/// A hash of a pixel to [0, 1) (PCG, O'Neill 2014, in one round).
+PLN_FN float pixel_hash(ivec2 pixel) {
+  uint x = uint(pixel.x) * 1664525u + uint(pixel.y) * 747796405u + 2891336453u;
+  x = ((x >> ((x >> 28) + 4u)) ^ x) * 277803737u;
+  x = (x >> 22) ^ x;
+  return float(x >> 8) * (1.0f / 16777216.0f);
+}
+
+/// Controls of pass number `pass` at a pixel. The first pass shades at centroids, without noise; later ones
+/// take their places from Roberts' R2 sequence, shifted per pixel, so that the mean converges to the
+/// integral.
+PLN_FN ViewControls view_controls(ivec2 pixel, int pass, float quantum, float step, float cutoff) {
+  float shift = pixel_hash(pixel);
+  float first = fract(shift + float(pass) * 0.7548776662f);
+  float second = fract(shift + float(pass) * 0.5698402910f);
+  ViewControls controls;
+  controls.quantum = quantum;
+  controls.step = step;
+  controls.first_step = pass == 0 ? step : step * (1.0f - first);
+  controls.jitter = pass == 0 ? -1.0f : second;
+  controls.cutoff = cutoff;
+  return controls;
+}
+
+struct ViewResult {
+  vec3 transmittance;
+  float depth;                 // [world] where alpha passes 0.5; 1e30 if never
+  vec3 ambient;                // [-] in-scattered share, to be multiplied by L_a
+  vec3 emission;               // [radiance]
+  vec3 light[LIGHT_CAPACITY];  // [radiance]
+};
+
+/// (1 - e^-tau) / tau, exact towards tau = 0.
+PLN_FN Spectrum mean_transmittance(Spectrum tau) {
+  return mix((1.0f - exp(-tau)) / max(tau, Spectrum(1e-6f)), Spectrum(1.0f) - 0.5f * tau,
+             spectrum_less(tau, 2e-3f));
+}
+
+/// Share of a light's power that would arrive at p if nothing stood between.
+PLN_FN float light_arrival(PLN_SCENE, int l, vec3 p) {
+  if (LIGHT(l).type == light_directional) return 1.0f;
+  vec3 from_lamp = p - LIGHT(l).position;
+  float distance = length(from_lamp);
+  float arrival = distance_falloff(LIGHT(l).falloff, distance, LIGHT(l).radius);
+  if (LIGHT(l).type == light_spot)
+    arrival *= spot_edge(-LIGHT(l).toward, from_lamp / max(distance, smallest_light_distance),
+                         LIGHT(l).cone_inner, LIGHT(l).cone_outer);
+  return arrival;
+}
+
+/// The way light travels from light l at p.
+PLN_FN vec3 light_travel(PLN_SCENE, int l, vec3 p) {
+  if (LIGHT(l).type == light_directional) return -LIGHT(l).toward;
+  vec3 from_lamp = p - LIGHT(l).position;
+  return from_lamp / max(length(from_lamp), smallest_light_distance);
+}
+
+/// Which of the maps of light l looks at p: the cube face of a point light, else the first.
+PLN_FN int map_face(PLN_SCENE, int l, vec3 p) {
+  if (LIGHT(l).faces == 1) return 0;
+  vec3 d = p - LIGHT(l).position;
+  vec3 a = abs(d);
+  if (a.x >= a.y && a.x >= a.z) return d.x >= 0.0f ? 0 : 1;
+  if (a.y >= a.z) return d.y >= 0.0f ? 2 : 3;
+  return d.z >= 0.0f ? 4 : 5;
+}
+
+/// Optical depth of colour group g's reference channel between p and light l, marched; ends where it passes
+/// LIGHT_MARCH_DEPTH.
+PLN_FN float march_light(PLN_SCENE, int l, int g, vec3 p) {
+  Walk walk = walk_begin(scene, p, -light_travel(scene, l, p), 0.0f, g);
+  float reach = LIGHT(l).type == light_directional ? 1e30f : length(p - LIGHT(l).position);
+  float end = min(walk.t_end, reach);
+  float tau = 0.0f;
+  while (walk.t_b < end && tau < LIGHT_MARCH_DEPTH) {
+    walk_advance(scene, walk, LIGHT_MARCH_STEP, LIGHT_MARCH_STEP);
+    float length_inside = min(walk.t_b, end) - min(walk.t, end);
+    FOR_MEDIA tau += 0.5f * (walk.a[m] + walk.b[m]) * length_inside * MEDIUM(m).sigma_group;
+  }
+  return tau;
+}
+
+/// Transmittance per channel from light l to p: the product over the colour groups of their maps' scalar,
+/// raised to each channel's share of extinction [TFM11 eq. 14].
+PLN_FN vec3 light_transmittance(PLN_SCENE, int l, vec3 p) {
+  vec3 product = vec3(1.0f);
+  int face = map_face(scene, l, p);
+  FOR_GROUPS {
+    int map = LIGHT(l).first_map + g * LIGHT(l).faces + face;
+    float t = LIGHT_MARCH ? exp(-march_light(scene, l, g, p)) : decode_map(scene, map, p);
+    if (GREY_EXTINCTION)
+      product *= t;
+    else
+      product *= pow(vec3(max(t, 1e-20f)), MAP(map).exponent);
+  }
+  return product;
+}
+
+/// Kelvin of voxel medium m at p.
+PLN_FN float medium_temperature(PLN_SCENE, int m, LocalRay ray, float t) {
+  vec3 p = ray.origin + t * ray.direction;
+  ivec3 corner;
+  int size;
+  uvec2 entry = find_cell(scene, m, ivec3(floor(p)), corner, size);
+  float stored = 0.0f;
+  if (entry.x >= 0x80000000u) stored = brick_temperature(scene, m, entry.x & 0x7fffffffu, p - vec3(corner));
+  return MEDIUM(m).temperature_offset + MEDIUM(m).temperature_scale * stored;
+}
+
+/// Adds the light of one quantum: gathered[m] is the integral of T * density of each medium over it, shaded
+/// at t.
+PLN_FN void shade(PLN_SCENE, Walk walk, Spectrum gathered[MEDIA_CAPACITY], vec3 origin, vec3 direction,
+                  float t, PLN_INOUT(ViewResult) result) {
+  vec3 p = origin + t * direction;
+  FOR_LIGHTS {
+    float cos_theta = dot(light_travel(scene, l, p), -direction);
+    vec3 scattered = vec3(0.0f);
+    FOR_MEDIA
+    scattered +=
+        MEDIUM(m).sigma_s * spectrum_rgb(gathered[m]) *
+        phase_function(MEDIUM(m).phase_kind, cos_theta, MEDIUM(m).g, MEDIUM(m).g_back, MEDIUM(m).blend);
+    result.light[l] +=
+        scattered * LIGHT(l).power * (light_arrival(scene, l, p) * light_transmittance(scene, l, p));
+  }
+  FOR_MEDIA {
+    result.ambient += MEDIUM(m).sigma_s * spectrum_rgb(gathered[m]);
+    if (EMISSIVE_MEDIA && MEDIUM(m).emission > 0.0f) {
+      float kelvin = MEDIUM(m).shape == shape_voxels ? medium_temperature(scene, m, walk.rays[m], t)
+                                                     : MEDIUM(m).temperature_offset;
+      float relative = kelvin * (1.0f / 1800.0f);
+      float brightness = MEDIUM(m).emission * relative * relative * relative * relative;
+      result.emission += brightness * blackbody(scene, kelvin) * spectrum_rgb(gathered[m]);
+    }
+  }
+}
+
+PLN_FN ViewResult march_view(PLN_SCENE, vec3 origin, vec3 direction, float t_near, ViewControls controls) {
+  ViewResult result;
+  result.depth = 1e30f;
+  result.ambient = vec3(0.0f);
+  result.emission = vec3(0.0f);
+  FOR_LIGHTS result.light[l] = vec3(0.0f);
+
+  float guide_sigma[MEDIA_CAPACITY];  // what steers the march: the mean of the channels
+  FOR_MEDIA guide_sigma[m] = sigma_guide(scene, m);
+
+  Walk walk = walk_begin(scene, origin, direction, t_near, -1);
+  Spectrum seen = Spectrum(1.0f);  // transmittance up to walk.t
+  float seen_mean = 1.0f;
+  bool alive = walk.t_end > walk.t;
+  while (alive) {
+    // The quantum: equal shares of opacity, but the last would reach to infinite depth, so towards the end
+    // they shrink with what is left. One always ends where alpha passes 0.5: that is the depth.
+    float target = max(seen_mean - controls.quantum, 0.25f * seen_mean);
+    if (seen_mean > 0.5f) target = max(target, 0.5f);
+    // A lookup at a jittered place splits it in two.
+    float shading_t = -1.0f;
+    float tau_target = log(seen_mean / target);
+    float tau_stop =
+        controls.jitter > 0.0f ? -log(1.0f - controls.jitter * (1.0f - target / seen_mean)) : tau_target;
+
+    float column[MEDIA_CAPACITY];  // [world * stored density] gathered in this quantum
+    FOR_MEDIA column[m] = 0.0f;
+    float tau = 0.0f;
+    float moment = 0.0f;  // of tau along t
+    float begin = 1e30f;  // where the quantum's density begins
+    bool full = false;
+    bool gathering = true;
+    while (gathering) {
+      // The rest of the current segment: extinction at both ends.
+      float guide_a = 0.0f;
+      float guide_b = 0.0f;
+      FOR_MEDIA {
+        guide_a += walk.a[m] * guide_sigma[m];
+        guide_b += walk.b[m] * guide_sigma[m];
+      }
+      float rest = walk.t_b - walk.t;
+      float gain = 0.5f * (guide_a + guide_b) * rest;
+      bool reached = tau + gain >= tau_stop;
+      float piece = rest;
+      while (reached) {
+        piece = length_to_optical_depth(guide_a, guide_b, rest, tau_stop - tau);
+        gain = tau_stop - tau;
+        reached = false;
+      }
+      bool stopped = tau + gain >= tau_stop;
+      float share = rest > 0.0f ? piece / rest : 1.0f;
+      if (gain > 0.0f) begin = min(begin, walk.t);
+      tau += gain;
+      moment += gain * (walk.t + 0.5f * piece);
+      FOR_MEDIA {
+        float end = mix(walk.a[m], walk.b[m], share);
+        column[m] += 0.5f * (walk.a[m] + end) * piece;
+        walk.a[m] = end;
+      }
+      walk.t += piece;
+      if (stopped) {
+        full = tau_stop >= tau_target;
+        if (!full) shading_t = walk.t;
+        tau_stop = tau_target;
+        gathering = !full;
+      } else {
+        alive = walk.t_b < walk.t_end;
+        gathering = alive;
+        if (alive) walk_advance(scene, walk, controls.step, controls.first_step);
+      }
+    }
+
+    Spectrum spectral_tau = Spectrum(0.0f);
+    FOR_MEDIA spectral_tau += column[m] * spectrum_of(MEDIUM(m).sigma_t);
+    Spectrum mean_seen = seen * mean_transmittance(spectral_tau);
+    Spectrum gathered[MEDIA_CAPACITY];
+    float matter = 0.0f;
+    FOR_MEDIA {
+      gathered[m] = mean_seen * column[m];
+      matter += column[m];
+    }
+    seen = seen * exp(-spectral_tau);
+    seen_mean = spectrum_mean(seen);
+    if (full && seen_mean <= 0.5f && result.depth > 1e29f) result.depth = walk.t;
+    bool shades = matter > 0.0f;
+    while (shades) {
+      // The centre of the quantum's opacity lies in front of that of its optical depth.
+      float centre =
+          tau > 0.0f ? moment / tau - (walk.t - begin) * tau * (1.0f / 12.0f) : 0.5f * (begin + walk.t);
+      shade(scene, walk, gathered, origin, direction, shading_t >= 0.0f ? shading_t : max(centre, begin),
+            result);
+      shades = false;
+    }
+    if (seen_mean < controls.cutoff) {
+      alive = false;
+      seen = Spectrum(0.0f);
+    }
+  }
+  result.transmittance = spectrum_rgb(seen);
+  return result;
+}
+
+PLN_END
+#endif

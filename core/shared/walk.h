@@ -1,0 +1,215 @@
+// Walking a ray through the media: from one stretch with density to the next, leaping over empty bricks.
+//
+// A walk yields segments [t, t_b] on which every medium's density is taken as linear between its values at
+// the two ends. Biased: inside a voxel the true density along a ray is a cubic; the error falls with the
+// square of the step. Values of density are relative ("stored"): MediumData::sigma_t is what a stored 1
+// means.
+#ifndef PLINIAN_SHARED_WALK_H
+#define PLINIAN_SHARED_WALK_H
+#include "core/shared/scene_access.h"
+PLN_BEGIN
+
+/// A ray in the own space of one medium; t is the same as in world space. For voxels the origin is that of
+/// the index tree's root, so that coordinates inside are never negative.
+struct LocalRay {
+  vec3 origin;
+  vec3 direction;
+  vec3 inverse;   // 1 / direction, finite
+  float t_enter;  // interval in which the medium may have density; enter > leave where it is missed
+  float t_leave;
+  float per_step;  // [world] length of a step of one voxel, or 1/64 of an analytic shape's chord
+};
+
+struct Walk {
+  LocalRay rays[MEDIA_CAPACITY];
+  float a[MEDIA_CAPACITY];            // stored density at t
+  float b[MEDIA_CAPACITY];            // stored density at t_b
+  float empty_until[MEDIA_CAPACITY];  // [t] the medium is known to be empty up to here
+  float t;
+  float t_b;
+  float t_end;     // the last medium is left here
+  float per_step;  // [world] shortest of the rays'
+};
+
+PLN_FN vec3 local_point(MediumData medium, vec3 p) {
+  return vec3(
+      dot(vec3(medium.local_from_world_x.x, medium.local_from_world_x.y, medium.local_from_world_x.z), p) +
+          medium.local_from_world_x.w,
+      dot(vec3(medium.local_from_world_y.x, medium.local_from_world_y.y, medium.local_from_world_y.z), p) +
+          medium.local_from_world_y.w,
+      dot(vec3(medium.local_from_world_z.x, medium.local_from_world_z.y, medium.local_from_world_z.z), p) +
+          medium.local_from_world_z.w);
+}
+
+PLN_FN vec3 local_vector(MediumData medium, vec3 d) {
+  return vec3(
+      dot(vec3(medium.local_from_world_x.x, medium.local_from_world_x.y, medium.local_from_world_x.z), d),
+      dot(vec3(medium.local_from_world_y.x, medium.local_from_world_y.y, medium.local_from_world_y.z), d),
+      dot(vec3(medium.local_from_world_z.x, medium.local_from_world_z.y, medium.local_from_world_z.z), d));
+}
+
+/// 1 / d with axis-parallel directions kept finite.
+PLN_FN float safe_inverse(float d) {
+  return abs(d) < 1e-18f ? 1e18f : 1.0f / d;
+}
+
+PLN_FN LocalRay local_ray(PLN_SCENE, int m, vec3 origin, vec3 direction, float t_near) {
+  LocalRay ray;
+  ray.origin = local_point(MEDIUM(m), origin);
+  ray.direction = local_vector(MEDIUM(m), direction);
+  ray.inverse =
+      vec3(safe_inverse(ray.direction.x), safe_inverse(ray.direction.y), safe_inverse(ray.direction.z));
+  // The box is cut short by less than rounding could carry a point out of the index tree; density is zero
+  // there.
+  float guard = MEDIUM(m).shape == shape_voxels ? 2e-3f : 0.0f;
+  vec3 low = (MEDIUM(m).bounds_min + guard - ray.origin) * ray.inverse;
+  vec3 high = (MEDIUM(m).bounds_max - guard - ray.origin) * ray.inverse;
+  vec3 enter = min(low, high);
+  vec3 leave = max(low, high);
+  ray.t_enter = max(max(enter.x, enter.y), max(enter.z, t_near));
+  ray.t_leave = min(leave.x, min(leave.y, leave.z));
+  ray.per_step = 1.0f / max(length(ray.direction), 1e-18f);
+  if (ANALYTIC_MEDIA) {
+    if (MEDIUM(m).shape == shape_sphere) {
+      // Roots of |o + t d|^2 = 1 in the form that does not cancel.
+      float a = dot(ray.direction, ray.direction);
+      float b = dot(ray.origin, ray.direction) / a;
+      vec3 nearest = ray.origin - b * ray.direction;
+      float discriminant = (1.0f - dot(nearest, nearest)) / a;
+      float half_chord = sqrt(max(discriminant, 0.0f));
+      ray.t_enter = max(-b - half_chord, t_near);
+      ray.t_leave = discriminant > 0.0f ? -b + half_chord : -1.0f;
+    }
+    if (MEDIUM(m).shape != shape_voxels) ray.per_step = max((ray.t_leave - ray.t_enter) / 64.0f, 1e-18f);
+  }
+  if (MEDIUM(m).shape == shape_voxels) ray.origin = ray.origin - vec3(MEDIUM(m).root_origin);
+  return ray;
+}
+
+/// The cell of the index tree that holds a voxel cell, counted from the root's origin. Returns its entry;
+/// corner [voxels], size [voxels].
+PLN_FN uvec2 find_cell(PLN_SCENE, int m, ivec3 cell, PLN_OUT(ivec3) corner, PLN_OUT(int) size) {
+  if (!DEEP_TREES) {
+    ivec3 brick = ivec3(cell.x >> 3, cell.y >> 3, cell.z >> 3);
+    corner = ivec3(cell.x & ~7, cell.y & ~7, cell.z & ~7);
+    size = 8;
+    return root_entry(scene, m, brick);
+  }
+  int shift = 3 + 3 * MEDIUM(m).levels;
+  ivec3 root_cell = ivec3(cell.x >> shift, cell.y >> shift, cell.z >> shift);
+  uvec2 entry = root_entry(scene, m, root_cell);
+  corner = root_cell * (1 << shift);
+  while (shift > 3 && entry.x >= 0x80000000u) {
+    shift -= 3;
+    ivec3 offset = cell - corner;
+    ivec3 child = ivec3(offset.x >> shift, offset.y >> shift, offset.z >> shift);
+    entry = node_entry(scene, m, entry.x & 0x7fffffffu, child);
+    corner = corner + child * (1 << shift);
+  }
+  size = 1 << shift;
+  return entry;
+}
+
+/// Where a ray leaves the empty cell (and its empty neighbours) that `entry` describes [t].
+PLN_FN float leave_empty(LocalRay ray, uvec2 entry, ivec3 corner, int size) {
+  float reach = float(max(int(entry.x), 1) - 1);
+  vec3 middle = vec3(corner) + 0.5f * float(size);
+  float half_size = (reach + 0.5f) * float(size);
+  // The far planes, as the ray sees them.
+  vec3 far = (middle - ray.origin) * ray.inverse + half_size * abs(ray.inverse);
+  return min(far.x, min(far.y, far.z));
+}
+
+/// Stored density of voxel medium m at t. Where there is none, empty_until tells how far that holds.
+PLN_FN float probe(PLN_SCENE, int m, LocalRay ray, float t, PLN_INOUT(float) empty_until) {
+  vec3 p = ray.origin + t * ray.direction;
+  ivec3 corner;
+  int size;
+  uvec2 entry = find_cell(scene, m, ivec3(p), corner, size);
+  float density = 0.0f;
+  bool occupied = entry.x >= 0x80000000u;
+  // A thousandth of a voxel on, so that rounding cannot leave t in the cell it leaves.
+  if (!occupied) empty_until = max(leave_empty(ray, entry, corner, size), t) + 1e-3f * ray.per_step;
+  // A loop of one turn: llvmpipe would take both sides of an if.
+  while (occupied) {
+    density = entry_scale(entry) * brick_density(scene, m, entry.x & 0x7fffffffu, p - vec3(corner));
+    occupied = false;
+  }
+  return density;
+}
+
+/// Density of any medium at t inside its interval, zero outside; keeps empty_until up to date.
+PLN_FN float walk_density(PLN_SCENE, int m, LocalRay ray, float t, PLN_INOUT(float) empty_until) {
+  if (ANALYTIC_MEDIA && MEDIUM(m).shape != shape_voxels) return 1.0f;
+  return probe(scene, m, ray, t, empty_until);
+}
+
+/// Starts a walk of the media of colour group `group` (all of them where it is negative) at t_near >= 0. The
+/// first segment is empty: walk_advance() finds the next.
+PLN_FN Walk walk_begin(PLN_SCENE, vec3 origin, vec3 direction, float t_near, int group) {
+  Walk walk;
+  walk.t = 1e30f;
+  walk.t_end = 0.0f;
+  walk.per_step = 1e30f;
+  FOR_MEDIA {
+    walk.rays[m] = local_ray(scene, m, origin, direction, t_near);
+    if (group >= 0 && MEDIUM(m).group != group) walk.rays[m].t_leave = -1.0f;
+    bool hit = walk.rays[m].t_leave > walk.rays[m].t_enter;
+    walk.a[m] = 0.0f;
+    walk.b[m] = 0.0f;
+    walk.empty_until[m] = hit ? walk.rays[m].t_enter : 1e30f;
+    if (hit) {
+      walk.t = min(walk.t, walk.rays[m].t_enter);
+      walk.t_end = max(walk.t_end, walk.rays[m].t_leave);
+      walk.per_step = min(walk.per_step, walk.rays[m].per_step);
+    }
+    // A ray that starts inside starts with the density there.
+    bool inside = hit && walk.rays[m].t_enter <= t_near;
+    while (inside) {
+      walk.b[m] = walk_density(scene, m, walk.rays[m], walk.rays[m].t_enter, walk.empty_until[m]);
+      inside = false;
+    }
+  }
+  walk.t_b = walk.t;
+  return walk;
+}
+
+/// Moves on to the next segment: over empty space at one leap, else `step` voxels, of which the first after a
+/// leap is `first_step` (a jitter). To be called while t_b < t_end.
+PLN_FN void walk_advance(PLN_SCENE, PLN_INOUT(Walk) walk, float step, float first_step) {
+  float leap = 1e30f;
+  FOR_MEDIA {
+    walk.a[m] = walk.b[m];
+    leap = min(leap, walk.empty_until[m]);
+  }
+  bool leaps = leap > walk.t_b;
+  walk.t = min(max(walk.t_b, leap), walk.t_end);
+  // Far from the camera a step must not drown in rounding.
+  walk.t_b = min(walk.t + max((leaps ? first_step : step) * walk.per_step, 1e-6f * walk.t), walk.t_end);
+  if (ANALYTIC_MEDIA || SEVERAL_MEDIA) {
+    // A segment ends where a medium begins or, for those with a sharp edge, ends.
+    FOR_MEDIA {
+      if (walk.rays[m].t_enter > walk.t) walk.t_b = min(walk.t_b, walk.rays[m].t_enter);
+      if (walk.rays[m].t_leave > walk.t) walk.t_b = min(walk.t_b, walk.rays[m].t_leave);
+    }
+    FOR_MEDIA {
+      float middle = 0.5f * (walk.t + walk.t_b);
+      bool inside = middle > walk.rays[m].t_enter && middle < walk.rays[m].t_leave;
+      bool analytic = ANALYTIC_MEDIA && MEDIUM(m).shape != shape_voxels;
+      walk.b[m] = 0.0f;
+      if (middle >= walk.rays[m].t_leave) walk.empty_until[m] = 1e30f;
+      bool look = inside && (analytic || walk.t_b >= walk.empty_until[m]);
+      while (look) {
+        walk.b[m] = walk_density(scene, m, walk.rays[m], walk.t_b, walk.empty_until[m]);
+        look = false;
+      }
+      if (analytic) walk.a[m] = walk.b[m];
+      if (!inside) walk.a[m] = 0.0f;
+    }
+  } else {
+    FOR_MEDIA walk.b[m] = probe(scene, m, walk.rays[m], walk.t_b, walk.empty_until[m]);
+  }
+}
+
+PLN_END
+#endif

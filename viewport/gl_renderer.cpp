@@ -1,0 +1,257 @@
+// How the GL renderer puts its passes together: volumes and maps that the scene still needs stay on the GPU
+// from one call to the next; everything is made again when the context was lost.
+#include "viewport/gl_renderer.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <stdexcept>
+#include <unordered_map>
+
+#include "core/scene/frame_layers.h"
+#include "core/transmittance/map_key.h"
+#include "viewport/gl/egl_context.h"
+#include "viewport/passes/map_pass.h"
+#include "viewport/passes/view_pass.h"
+
+namespace plinian {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// Thrown where the context has gone; what was on the GPU is lost with it.
+struct ContextLost : std::runtime_error {
+  ContextLost() : std::runtime_error("the OpenGL context was lost") {}
+};
+
+/// What is kept on the GPU for one batch of lights.
+struct BatchState {
+  gl::Texture maps, sums;
+  ivec3 maps_size{0}, sums_size{0};
+  std::vector<std::optional<MapKey>> built;  // one per layer of maps
+};
+
+/// Everything that lives on the GPU: gone as a whole when the context is lost.
+struct GpuState {
+  struct CachedVolume {
+    std::shared_ptr<const BrickVolume> volume;  // kept, so that its address stays its identity
+    passes::VolumeTextures textures;
+  };
+  std::unordered_map<const BrickVolume*, CachedVolume> volumes;
+  passes::SceneBlocks blocks;
+  passes::MapPass map_pass;
+  passes::ViewPass view_pass;
+  std::vector<BatchState> batches;        // map-based passes
+  std::vector<BatchState> exact_batches;  // passes that march to the light: sums only
+};
+
+class GlRenderer final : public Renderer {
+ public:
+  explicit GlRenderer(bool own_context) : own_context_(own_context) {
+    if (own_context_) context_.emplace();
+  }
+  ~GlRenderer() override {
+    if (context_) context_->make_current();
+  }
+
+  Frame render(const SceneSnapshot& scene, int passes, const Progress& progress) override;
+  const RenderStats& stats() const override { return stats_; }
+
+ private:
+  std::vector<const passes::VolumeTextures*> upload(const FlatScene& flat);
+  void build_maps(const FlatScene& flat, BatchState& batch, const std::function<bool()>& go_on);
+  Frame render_once(const SceneSnapshot& scene, int passes, const Progress& progress);
+
+  bool own_context_;
+  std::optional<gl::EglContext> context_;
+  std::optional<GpuState> gpu_;
+  RenderStats stats_;
+};
+
+std::vector<const passes::VolumeTextures*> GlRenderer::upload(const FlatScene& flat) {
+  const auto start = Clock::now();
+  // What the scene no longer shows goes first: two volumes may not fit side by side.
+  std::erase_if(gpu_->volumes, [&](const auto& cached) {
+    return std::none_of(flat.volumes.begin(), flat.volumes.end(),
+                        [&](const auto& v) { return v.get() == cached.first; });
+  });
+  std::vector<const passes::VolumeTextures*> textures;
+  for (const auto& volume : flat.volumes) {
+    if (!volume) {
+      textures.push_back(nullptr);
+      continue;
+    }
+    auto found = gpu_->volumes.find(volume.get());
+    if (found == gpu_->volumes.end()) {
+      found =
+          gpu_->volumes.emplace(volume.get(), GpuState::CachedVolume{volume, passes::upload_volume(*volume)})
+              .first;
+      ++stats_.volume_uploads;
+    }
+    textures.push_back(&found->second.textures);
+  }
+  stats_.volume_bytes = 0;
+  for (const auto& [key, cached] : gpu_->volumes) stats_.volume_bytes += cached.textures.bytes;
+  stats_.upload_ms = milliseconds_since(start);
+  return textures;
+}
+
+void GlRenderer::build_maps(const FlatScene& flat, BatchState& batch, const std::function<bool()>& go_on) {
+  const int words = words_per_texel(flat.layout.coefficients);
+  const ivec3 size(flat.layout.resolution * words, flat.layout.resolution,
+                   std::max<int>(1, int(flat.maps.size())));
+  if (batch.maps_size != size) {
+    batch.maps = gl::make_texture_array(GL_RGBA32UI, size);
+    batch.maps_size = size;
+    batch.built.assign(flat.maps.size(), std::nullopt);
+  }
+  for (std::size_t i = 0; i < flat.maps.size(); ++i) {
+    MapKey key = map_key(flat, int(i));
+    if (batch.built[i] && rebuild_reason(*batch.built[i], key).empty()) continue;
+    batch.built[i].reset();
+    if (!gpu_->map_pass.build(gpu_->blocks, flat, int(i), batch.maps, go_on)) throw RenderCancelled();
+    batch.built[i] = std::move(key);
+    ++stats_.map_builds;
+  }
+  stats_.map_bytes += std::size_t(size.x) * size.y * size.z * 16;
+}
+
+/// Adds the planes of a batch to the sums of a picture; its lights begin at number first_light.
+void read_sums(const gl::Texture& planes, const FlatScene& flat, const SceneSnapshot& scene,
+               std::size_t first_light, bool with_media, FrameSums& sums) {
+  const std::size_t pixels = sums.depth.size();
+  std::vector<vec4> plane(pixels);
+  const auto read = [&](int layer) {
+    glGetTextureSubImage(planes.name(), 0, 0, 0, layer, scene.width, scene.height, 1, GL_RGBA, GL_FLOAT,
+                         GLsizei(pixels * sizeof(vec4)), plane.data());
+  };
+  const auto add = [&](std::vector<vec3>& to) {
+    for (std::size_t i = 0; i < pixels; ++i) to[i] += vec3(plane[i]);
+  };
+  const passes::PlaneLayout layout = passes::plane_layout(flat, scene);
+  if (with_media) {
+    read(0);
+    add(sums.transmittance);
+    for (std::size_t i = 0; i < pixels; ++i) sums.depth[i] = plane[i].w;
+    if (layout.ambient >= 0) {
+      read(layout.ambient);
+      add(sums.ambient);
+    }
+    if (layout.emission >= 0) {
+      read(layout.emission);
+      add(sums.emission);
+    }
+  }
+  for (std::size_t l = 0; l < flat.lights.size(); ++l) {
+    read(layout.first_light + int(l));
+    add(sums.lights[first_light + l]);
+  }
+}
+
+Frame GlRenderer::render(const SceneSnapshot& scene, int passes, const Progress& progress) {
+  if (passes < 1) throw std::invalid_argument("a picture takes at least one pass");
+  try {
+    return render_once(scene, passes, progress);
+  } catch (const ContextLost&) {
+    // A context of our own is made anew, once; a window makes its own.
+    gpu_.reset();
+    if (!own_context_) throw;
+    context_.reset();
+    context_.emplace();
+    return render_once(scene, passes, progress);
+  }
+}
+
+Frame GlRenderer::render_once(const SceneSnapshot& scene, int passes, const Progress& progress) {
+  if (context_) context_->make_current();
+  const FlatScene whole = flatten(scene);
+  if (whole.media.empty()) return empty_frame(scene);
+  if (!gpu_) gpu_.emplace();
+  const auto textures = upload(whole);
+
+  double done = 0.0;
+  const std::function<bool()> go_on =
+      progress ? std::function<bool()>([&] { return progress(done); }) : std::function<bool()>();
+  // Passes beyond the first march to the light where the quality asks for it.
+  const bool exact = scene.quality.view.exact_light_at_rest && !scene.lights.empty();
+  const std::vector<FlatScene> batches = light_batches(whole);
+  const std::vector<FlatScene> exact_parts =
+      exact && passes > 1 ? exact_batches(whole) : std::vector<FlatScene>();
+  gpu_->batches.resize(batches.size());
+  gpu_->exact_batches.resize(exact_parts.size());
+  const int map_passes = exact_parts.empty() ? passes : 1;
+  const double jobs =
+      double(batches.size()) * map_passes + double(exact_parts.size()) * (passes - map_passes);
+  double job = 0.0;
+
+  stats_.map_bytes = 0;
+  stats_.map_ms = stats_.view_ms = stats_.map_cpu_ms = stats_.view_cpu_ms = 0.0;
+  const auto render_part = [&](const FlatScene& flat, BatchState& state, int first_pass, int last_pass) {
+    gpu_->blocks.update(flat, textures);
+    auto start = Clock::now();
+    double cpu_start = processor_milliseconds();
+    if (flat.view.light == LightLookup::map) {
+      build_maps(flat, state, go_on);
+      glFinish();
+    }
+    stats_.map_ms += milliseconds_since(start);
+    stats_.map_cpu_ms += processor_milliseconds() - cpu_start;
+    start = Clock::now();
+    cpu_start = processor_milliseconds();
+    const passes::PlaneLayout layout = passes::plane_layout(flat, scene);
+    const ivec3 size(scene.width, scene.height, layout.count);
+    if (state.sums_size != size) {
+      state.sums = gl::make_texture_array(GL_RGBA32F, size);
+      state.sums_size = size;
+    }
+    for (int pass = first_pass; pass < last_pass; ++pass, ++job) {
+      done = job / jobs;
+      if (!gpu_->view_pass.render(gpu_->blocks, flat, scene, state.maps, pass, pass == first_pass, state.sums,
+                                  go_on))
+        throw RenderCancelled();
+    }
+    glFinish();
+    stats_.view_ms += milliseconds_since(start);
+    stats_.view_cpu_ms += processor_milliseconds() - cpu_start;
+  };
+
+  for (std::size_t b = 0; b < batches.size(); ++b) render_part(batches[b], gpu_->batches[b], 0, map_passes);
+  for (std::size_t b = 0; b < exact_parts.size(); ++b)
+    render_part(exact_parts[b], gpu_->exact_batches[b], map_passes, passes);
+  if (glGetGraphicsResetStatus() != GL_NO_ERROR) throw ContextLost();
+
+  FrameSums sums(scene, whole.lights.size());
+  std::size_t first_light = 0;
+  for (std::size_t b = 0; b < batches.size(); ++b) {
+    read_sums(gpu_->batches[b].sums, batches[b], scene, first_light, b == 0, sums);
+    first_light += batches[b].lights.size();
+  }
+  if (!exact_parts.empty()) {
+    // Media are seen the same by every light's passes: those of the first count.
+    FrameSums rest(scene, whole.lights.size());
+    for (std::size_t b = 0; b < exact_parts.size(); ++b)
+      read_sums(gpu_->exact_batches[b].sums, exact_parts[b], scene, b, b == 0, rest);
+    add_passes(sums, rest);
+  }
+  gl::check_errors("a frame");
+  stats_.passes = passes;
+  return resolve(sums, scene, passes);
+}
+
+}  // namespace
+
+std::unique_ptr<Renderer> make_gl_renderer() {
+  return std::make_unique<GlRenderer>(true);
+}
+
+std::unique_ptr<Renderer> make_gl_renderer_on_current_context() {
+  return std::make_unique<GlRenderer>(false);
+}
+
+}  // namespace plinian

@@ -1,0 +1,99 @@
+// What core/shared/scene_access.h is in C++: the scene as uniform blocks and textures.
+// Defines expected: MEDIA_COUNT, LIGHT_COUNT, GROUP_COUNT, MAP_RESOLUTION, MAP_COEFFICIENTS, MAP_WEIGHTING,
+// GREY_EXTINCTION, ANALYTIC_MEDIA, EMISSIVE_MEDIA, SEVERAL_MEDIA, DEEP_TREES, LIGHT_MARCH,
+// LIGHT_MARCH_STEP, LIGHT_MARCH_DEPTH.
+#include "core/shared/blackbody_lookup.h"
+#include "core/shared/scene_data.h"
+
+layout(std140, binding = 0) uniform MediaBlock { MediumData u_media[max_media]; };
+layout(std140, binding = 1) uniform LightBlock { LightData u_lights[max_lights]; };
+layout(std140, binding = 2) uniform MapBlock { MapData u_maps[max_maps]; };
+
+layout(binding = 0) uniform usampler2DArray u_map_texels;
+layout(binding = 1) uniform sampler3D u_blackbody;
+layout(binding = 2) uniform usampler3D u_root[MEDIA_COUNT];
+layout(binding = 2 + MEDIA_COUNT) uniform usampler3D u_nodes[MEDIA_COUNT];
+layout(binding = 2 + 2 * MEDIA_COUNT) uniform sampler3D u_density[MEDIA_COUNT];
+layout(binding = 2 + 3 * MEDIA_COUNT) uniform sampler3D u_temperature[MEDIA_COUNT];
+
+#define PLN_SCENE int scene
+#define MEDIUM(m) u_media[m]
+#define LIGHT(l) u_lights[l]
+#define MAP(i) u_maps[i]
+
+// Loops over one thing are no loops: llvmpipe keeps what they index in memory instead of registers.
+#if MEDIA_COUNT == 1
+const int m = 0;
+#define FOR_MEDIA
+#else
+#define FOR_MEDIA for (int m = 0; m < MEDIA_COUNT; ++m)
+#endif
+#if LIGHT_COUNT == 1
+const int l = 0;
+#define FOR_LIGHTS
+#else
+#define FOR_LIGHTS for (int l = 0; l < LIGHT_COUNT; ++l)
+#endif
+#if GROUP_COUNT == 1
+const int g = 0;
+#define FOR_GROUPS
+#else
+#define FOR_GROUPS for (int g = 0; g < GROUP_COUNT; ++g)
+#endif
+#define MEDIA_CAPACITY MEDIA_COUNT
+#define LIGHT_CAPACITY LIGHT_COUNT
+
+#if GREY_EXTINCTION
+#define Spectrum float
+float spectrum_mean(float s) { return s; }
+vec3 spectrum_rgb(float s) { return vec3(s); }
+float spectrum_of(vec3 rgb) { return rgb.x; }
+bool spectrum_less(float s, float limit) { return s < limit; }
+#else
+#define Spectrum vec3
+float spectrum_mean(vec3 s) { return (s.x + s.y + s.z) * (1.0f / 3.0f); }
+vec3 spectrum_rgb(vec3 s) { return s; }
+vec3 spectrum_of(vec3 rgb) { return rgb; }
+bvec3 spectrum_less(vec3 s, float limit) { return lessThan(s, vec3(limit)); }
+#endif
+
+float sigma_guide(int scene, int m) { return spectrum_mean(spectrum_of(u_media[m].sigma_t)); }
+
+uvec2 root_entry(int scene, int m, ivec3 cell) { return texelFetch(u_root[m], cell, 0).xy; }
+
+// Nodes lie in a square of 16 x 16, layer upon layer (see volume_textures.cpp).
+uvec2 node_entry(int scene, int m, uint node, ivec3 child) {
+  return texelFetch(u_nodes[m], ivec3(int(node & 15u), int((node >> 4) & 15u), int(node >> 8)) * 8 + child, 0).xy;
+}
+
+// On the GPU a brick is named by its place in the atlas, 10 bits an axis: integer division would cost more than the
+// lookup.
+vec3 brick_place(uint brick) {
+  return vec3(ivec3(int(brick & 1023u), int((brick >> 10) & 1023u), int(brick >> 20)) * 9);
+}
+
+// Only the maximum is read here, so it travels as a float.
+float entry_scale(uvec2 entry) { return uintBitsToFloat(entry.y); }
+
+float brick_density(int scene, int m, uint brick, vec3 local) {
+  return textureLod(u_density[m], (brick_place(brick) + local + 0.5) * u_media[m].atlas_scale, 0.0).x;
+}
+
+// Hot bricks come first; the layers behind them hold no temperature.
+float brick_temperature(int scene, int m, uint brick, vec3 local) {
+  if (int(brick >> 20) >= u_media[m].hot_layers) return 0.0;
+  vec3 scale = vec3(u_media[m].atlas_scale.x, u_media[m].atlas_scale.y, 1.0 / float(9 * u_media[m].hot_layers));
+  return textureLod(u_temperature[m], (brick_place(brick) + local + 0.5) * scale, 0.0).x;
+}
+
+vec3 blackbody(int scene, float kelvin) {
+  float position = blackbody_position(kelvin);
+  int entry = min(int(position), blackbody_entries - 2);
+  return mix(texelFetch(u_blackbody, ivec3(entry, 0, 0), 0).xyz, texelFetch(u_blackbody, ivec3(entry + 1, 0, 0), 0).xyz,
+             position - float(entry));
+}
+
+uvec4 map_texel(int scene, ivec2 texel, int layer, int word) {
+  const int words = MAP_COEFFICIENTS > 6 ? (MAP_COEFFICIENTS > 14 ? 3 : 2) : 1;
+  return texelFetch(u_map_texels, ivec3(texel.x * words + word, texel.y, layer), 0);
+}

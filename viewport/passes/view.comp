@@ -1,0 +1,43 @@
+// One jittered pass of the view march, added to what earlier passes gathered: see core/shared/view_march.h.
+#include "viewport/passes/scene_access.glsl"
+#include "core/shared/view_march.h"
+
+layout(local_size_x = 16, local_size_y = 16) in;
+
+// Layers: 0 transmittance and depth, PLANE_AMBIENT, PLANE_EMISSION (-1: none), PLANE_LIGHTS + l light l. Sums over
+// passes, depth of the first.
+layout(rgba32f, binding = 0) uniform image2DArray u_sums;
+layout(std140, binding = 3) uniform ViewBlock {
+  vec4 u_origin;    // [world] of the camera; w: near clip [world]
+  vec4 u_forward;   // see CameraRays
+  vec4 u_right;
+  vec4 u_up;
+  vec4 u_controls;  // quantum, step [voxels], cutoff, 0
+  ivec4 u_frame;    // width, height, number of this pass, 1 where it is the first in u_sums
+};
+layout(location = 0) uniform ivec2 u_first;  // pixel of the first invocation
+
+void add_plane(ivec2 pixel, int plane, vec4 value) {
+  if (u_frame.w == 0) {
+    vec4 before = imageLoad(u_sums, ivec3(pixel, plane));
+    value = vec4(before.xyz + value.xyz, before.w);
+  }
+  imageStore(u_sums, ivec3(pixel, plane), value);
+}
+
+void main() {
+  const int scene = 0;
+  // Lanes side by side make a block of 4 x 2 pixels: rays of a SIMD group stay close in both directions.
+  int lane = int(gl_LocalInvocationIndex);
+  ivec2 inside = ivec2((lane & 3) | ((lane >> 1) & 12), ((lane >> 2) & 1) | ((lane >> 4) & 14));
+  ivec2 pixel = u_first + ivec2(gl_WorkGroupID.xy) * 16 + inside;
+  if (pixel.x >= u_frame.x || pixel.y >= u_frame.y) return;
+  vec3 direction = pixel_direction(u_forward.xyz, u_right.xyz, u_up.xyz, pixel, u_frame.xy);
+  ViewControls controls = view_controls(pixel, u_frame.z, u_controls.x, u_controls.y, u_controls.z);
+  ViewResult result = march_view(scene, u_origin.xyz, direction, u_origin.w, controls);
+
+  add_plane(pixel, 0, vec4(result.transmittance, result.depth));
+  if (PLANE_AMBIENT >= 0) add_plane(pixel, PLANE_AMBIENT, vec4(result.ambient, 0.0));
+  if (PLANE_EMISSION >= 0) add_plane(pixel, PLANE_EMISSION, vec4(result.emission, 0.0));
+  FOR_LIGHTS add_plane(pixel, PLANE_LIGHTS + l, vec4(result.light[l], 0.0));
+}

@@ -1,0 +1,64 @@
+#include "viewport/passes/view_pass.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+
+namespace plinian::passes {
+namespace {
+
+struct ViewBlock {
+  vec4 origin, forward, right, up, controls;
+  ivec4 frame;
+};
+constexpr int group_size = 16, tile_size = 256;
+
+}  // namespace
+
+PlaneLayout plane_layout(const FlatScene& flat, const SceneSnapshot& scene) {
+  PlaneLayout layout;
+  if (scene.ambient != vec3(0.0f)) layout.ambient = layout.count++;
+  if (flat.emissive) layout.emission = layout.count++;
+  layout.first_light = layout.count;
+  layout.count += int(flat.lights.size());
+  return layout;
+}
+
+bool ViewPass::render(const SceneBlocks& blocks, const FlatScene& flat, const SceneSnapshot& scene,
+                      const gl::Texture& maps, int pass, bool first, const gl::Texture& sums,
+                      const std::function<bool()>& go_on) {
+  gl::Defines defines = blocks.defines();
+  const PlaneLayout layout = plane_layout(flat, scene);
+  defines.insert(defines.end(), {{"PLANE_AMBIENT", std::to_string(layout.ambient)},
+                                 {"PLANE_EMISSION", std::to_string(layout.emission)},
+                                 {"PLANE_LIGHTS", std::to_string(layout.first_light)}});
+  gl::Program& program = programs_[defines];
+  if (!program) program = gl::make_compute_program("viewport/passes/view.comp", defines);
+  const CameraRays rays = camera_rays(scene.camera, scene.width, scene.height);
+  const ViewBlock block{vec4(rays.origin, scene.camera.near_clip),
+                        vec4(rays.forward, 0.0f),
+                        vec4(rays.right, 0.0f),
+                        vec4(rays.up, 0.0f),
+                        vec4(flat.view.quantum, flat.view.step, flat.view.cutoff, 0.0f),
+                        ivec4(scene.width, scene.height, pass, first)};
+  if (!view_) view_ = gl::make_buffer(sizeof block, nullptr);
+  gl::update_buffer(view_, sizeof block, &block);
+  blocks.bind(maps.name());
+  glBindBufferBase(GL_UNIFORM_BUFFER, 3, view_.name());
+  glBindImageTexture(0, sums.name(), 0, GL_TRUE, 0, GL_READ_WRITE, GL_RGBA32F);
+  glUseProgram(program.name());
+  for (int y = 0; y < scene.height; y += tile_size)
+    for (int x = 0; x < scene.width; x += tile_size) {
+      if (go_on && !go_on()) return false;
+      glProgramUniform2i(program.name(), 0, x, y);
+      const auto groups = [](int size, int from) {
+        return unsigned(std::min(size - from, tile_size) + group_size - 1) / group_size;
+      };
+      glDispatchCompute(groups(scene.width, x), groups(scene.height, y), 1);
+      if (go_on) glFinish();
+    }
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+  return true;
+}
+
+}  // namespace plinian::passes

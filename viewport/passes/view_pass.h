@@ -1,0 +1,39 @@
+// One jittered pass of the view march on the GPU.
+#pragma once
+
+#include <functional>
+#include <map>
+
+#include "core/integrate/flat_scene.h"
+#include "core/scene/snapshot.h"
+#include "viewport/gl/shader.h"
+#include "viewport/passes/scene_blocks.h"
+
+namespace plinian::passes {
+
+/// Which layers of the sums hold what: 0 transmittance and depth, then ambient and emission where the scene
+/// has them
+/// (-1 where not), then one for each light.
+struct PlaneLayout {
+  int ambient = -1;
+  int emission = -1;
+  int first_light = 1;
+  int count = 1;
+};
+PlaneLayout plane_layout(const FlatScene& flat, const SceneSnapshot& scene);
+
+class ViewPass {
+ public:
+  /// Adds pass number `pass` to the planes of `sums` (RGBA32F, see plane_layout()), or writes them where it
+  /// is the `first` there. `go_on` is asked between tiles; returns false where it said no. maps may be empty
+  /// where light is marched.
+  bool render(const SceneBlocks& blocks, const FlatScene& flat, const SceneSnapshot& scene,
+              const gl::Texture& maps, int pass, bool first, const gl::Texture& sums,
+              const std::function<bool()>& go_on);
+
+ private:
+  std::map<gl::Defines, gl::Program> programs_;
+  gl::Buffer view_;
+};
+
+}  // namespace plinian::passes
