@@ -31,7 +31,7 @@ enum class LightLookup {
 struct MapQuality {
   Encoding encoding = Encoding::atfm;
   int coefficients = 6;     // [2, 16] cosine terms per texel
-  float threshold = 0.01f;  // [-] (0, 1): transmittance under which a ray counts as dead
+  float threshold = 0.02f;  // [-] (0, 1): transmittance under which a ray counts as dead
   KminRule kmin_rule = KminRule::veil_proof;
   float kmin_transmittance = 0.97f;  // [-] (0, 1]
   EndRule end_rule = EndRule::zero;
@@ -45,7 +45,7 @@ struct ViewQuality {
   int shade_samples = 8;                // light lookups along an opaque view ray, placed at equal opacity
   float step = 1.0f;                    // [voxels] between density samples
   float transmittance_cutoff = 0.002f;  // [-] a ray ends where nothing more than this could be seen
-  int passes = 64;                      // jittered passes until the picture counts as converged
+  int passes = 32;                      // jittered passes until the picture counts as converged
   bool exact_light_at_rest = false;     // further passes at rest replace map lookups by the light march
   LightLookup light = LightLookup::map;
   float march_step = 1.0f;   // [voxels] of a marched light ray

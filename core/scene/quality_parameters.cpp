@@ -74,10 +74,11 @@ const std::vector<Parameter<Quality>>& quality_parameters() {
       view<&ViewQuality::exact_light_at_rest>(
           {.name = "exact_light_at_rest",
            .help = "further passes at rest march to the light instead of reading the map"}),
-      view<&ViewQuality::light>({.name = "light",
-                                 .help = "where light comes from: transmittance maps, or a march to the light from "
-                                         "every shading point",
-                                 .choices = {"map", "march"}}),
+      view<&ViewQuality::light>(
+          {.name = "light",
+           .help = "where light comes from: transmittance maps, or a march to the light from "
+                   "every shading point",
+           .choices = {"map", "march"}}),
       view<&ViewQuality::march_step>({.name = "march_step",
                                       .range = Range::closed(0.05, 64),
                                       .unit = "voxels",
