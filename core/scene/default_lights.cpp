@@ -11,7 +11,7 @@ namespace {
 
 // Degrees around the subject from the camera, and above the horizon.
 constexpr double key_azimuth = 58.0, key_elevation = 42.0;
-constexpr double rim_azimuth = -142.0, rim_elevation = 28.0;
+constexpr double rim_azimuth = -138.0, rim_elevation = 8.0;
 
 Light directional(const char* name, const Camera& camera, double azimuth, double elevation, vec3 colour,
                   float exposure) {

@@ -14,10 +14,12 @@ namespace plinian {
 inline constexpr float key_intensity = 12.566370614f;
 inline constexpr float key_exposure = 0.75f;  // [stops]
 
-inline constexpr float rim_exposure = 0.75f;  // [stops] on key_intensity
+/// The rim is brighter than the key: of the side that it lights only an edge is seen. [stops] on
+/// key_intensity
+inline constexpr float rim_exposure = 1.75f;
 
 /// Sky of the default light [radiance]: the ambient that scatters, and what stands behind the media.
-inline const vec3 default_ambient{0.018f, 0.024f, 0.034f};
+inline const vec3 default_ambient{0.020f, 0.027f, 0.038f};
 inline const vec3 default_background{0.010f, 0.013f, 0.018f};
 
 /// The key and the rim, directional, around a camera; +y is up.
