@@ -2,10 +2,8 @@
 include(CMakePackageConfigHelpers)
 
 foreach(library core viewport)
-  if(TARGET plinian_${library})
-    set_target_properties(plinian_${library} PROPERTIES EXPORT_NAME ${library})
-    install(TARGETS plinian_${library} EXPORT plinian-targets)
-  endif()
+  set_target_properties(plinian_${library} PROPERTIES EXPORT_NAME ${library})
+  install(TARGETS plinian_${library} EXPORT plinian-targets)
 endforeach()
 install(TARGETS plinian)
 
@@ -13,7 +11,7 @@ foreach(folder core viewport)
   install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plinian FILES_MATCHING PATTERN "*.h")
 endforeach()
 install(DIRECTORY presets DESTINATION ${CMAKE_INSTALL_DATADIR}/plinian)
-install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/plinian)
 install(EXPORT plinian-targets NAMESPACE plinian:: DESTINATION ${package})
