@@ -277,11 +277,15 @@ void print_table(const ordered_json& report) {
                       "albedo", "extinction", "light", "frame change", "volume", "maps");
   for (const auto& [renderer, presets] : report["renderers"].items())
     for (const auto& [preset, times] : presets.items()) {
-      text += fmt::format("  {:<16}", renderer + " " + preset);
       if (!times.contains("map_build_ms")) {
-        text += fmt::format("{:>10}{:>10.1f}\n", "", times["orbit_frame_ms"].get<double>());
+        const std::string start = "orbit_frame_ms_";
+        for (const auto& [key, time] : times.items())
+          if (key.starts_with(start))
+            text += fmt::format("  {:<26}{:>10.1f}\n", renderer + " march, " + key.substr(start.size()),
+                                time.get<double>());
         continue;
       }
+      text += fmt::format("  {:<16}", renderer + " " + preset);
       const auto time = [&](const char* key) { return times[key].get<double>(); };
       text += fmt::format("{:>10.1f}{:>10.1f}{:>10.1f}{:>12.1f}{:>10.1f}{:>14.1f}{:>12}{:>12}\n",
                           time("map_build_ms"), time("orbit_frame_ms"), time("albedo_edit_ms"),

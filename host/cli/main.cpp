@@ -172,6 +172,10 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     cli::error("out of memory; a smaller --size, --resolution or map.resolution needs less");
   } catch (const std::exception& failure) {
+    if (cli::interrupted()) {  // Ctrl-C also ends helpers of ours, whose end is then an error
+      cli::error("cancelled; nothing was written");
+      return cli::exit_cancelled;
+    }
     cli::error(failure.what());
   }
   return cli::exit_failure;

@@ -85,6 +85,18 @@ TEST_F(RealFiles, AnEmptyGridIsASanePictureAndAWarning) {
   }
 }
 
+TEST_F(RealFiles, ANeutralSceneOfThePeersIsRenderedAsItStands) {
+  const fs::path scene = data_ / ".." / "peers" / "scenes" / "smoke-dense.json";
+  const Ended ended = run({"render", scene.string(), "-o", "a.exr", "--renderer", "cpu", "--samples", "1"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const Image image = picture("a.exr");
+  EXPECT_EQ(image.width, 256);
+  EXPECT_EQ(image.height, 256);
+  EXPECT_NE(image.find("light0.R"), nullptr);
+  EXPECT_EQ(mean_of(image, "background.R"), 0.0);
+  EXPECT_GT(mean_of(image, "light0.R"), 0.02);
+}
+
 TEST_F(RealFiles, AFileWithHeatGlows) {
   const Ended ended = run({"render", file("densityAndHeat.vdb"), "-o", "a.exr", "--renderer", "reference",
                            "--size", "16x16", "--tolerance", "0.1"});

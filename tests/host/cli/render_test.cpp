@@ -165,6 +165,27 @@ TEST_F(Program, TheReferenceRendersTheSameSceneAsTheMaps) {
             text_fact(picture("r.exr"), attribute::scene_hash));
 }
 
+// Everything that is legal and awkward at once: nothing in the picture may fail to be a number.
+TEST_F(Program, AwkwardScenesGiveFinitePictures) {
+  const std::vector<std::string> scenes = {
+      R"({"volume": "ash", "resolution": 32, "density_scale": 3e5, "camera": {"eye": [0.1, 4, 0], "target": [0, 9, 0]},
+          "lights": [{"type": "point", "position": [0, 5, 0], "radius": 0.1}]})",
+      R"({"volume": "sphere", "camera": {"eye": [0, 0, 5], "target": [0, 0, 0]},
+          "lights": [{"toward": [0, 0, 1], "irradiance": 0}, {"toward": [1, 0, 0], "colour": 0},
+                     {"type": "spot", "position": [0, 0.5, 0], "toward": [0, 1, 0], "cone_angle": 1, "penumbra": 90}]})",
+      R"({"volume": "box", "density_scale": 0, "lights": [], "ambient": 1, "background": 1})",
+      R"({"volume": "box", "scale": [-1, 100, 0.001], "density_scale": 1e4, "sigma_s": [1, 0, 1e-6], "sigma_a": 0})"};
+  for (const std::string& scene : scenes) {
+    folder_.write("scene.json", scene);
+    render({"scene.json", "-o", "a.exr", "--pixels", "float"});
+    for (const Channel& channel : picture("a.exr").channels) {
+      if (channel.name == "Z") continue;  // infinite where there is nothing
+      for (const float value : channel.values)
+        ASSERT_TRUE(std::isfinite(value)) << channel.name << " of " << scene;
+    }
+  }
+}
+
 TEST_F(Program, CtrlCEndsARenderWithNothingWritten) {
   RunOptions options;
   options.signal_after_s = 1.0;
