@@ -36,13 +36,13 @@ class Ash final : public BillowShape {
     };
     warp_reach = 0.035f;
     raise_family({{0.36f, 0.78f, 1.2f, 0.76f, 0.32f, 0.84f},
-                  {0.24f, 0.62f, 1.6f, 0.66f, 0.15f, 0.82f},
-                  {0.22f, 0.55f, 1.8f, 0.60f, -0.05f, 0.90f},
-                  {0.22f, 0.50f, 1.5f, 0.60f, -0.25f, 0.95f}},
+                  {0.24f, 0.60f, 1.5f, 0.68f, 0.18f, 0.78f},
+                  {0.22f, 0.52f, 1.5f, 0.64f, 0.05f, 0.84f},
+                  {0.22f, 0.50f, 1.5f, 0.60f, -0.15f, 0.92f}},
                  scale);
 
     warp_wavelength = 0.027f;
-    hull_reach = 0.085f;
+    hull_reach = 0.08f;
     surface_reach = std::max(0.01f, edge(1.0f / static_cast<float>(settings.resolution)));
     solid_depth = std::max(0.015f, surface_reach);
   }
@@ -61,13 +61,13 @@ class Ash final : public BillowShape {
       const vec3 p = fit_.design_from_object(object);
       if (field.hull[i] > 0.0f && density[i] < 0.1f)
         density[i] = std::max(density[i], veil(object, p, field.hull[i]));
-      if (density[i] > 0.0f && p.y < 0.4f) hot |= heat(p, field.hull[i], temperature[i]);
+      if (density[i] > 0.0f && p.y < 0.44f) hot |= heat(p, field.hull[i], temperature[i]);
     }
     return hot;
   }
 
  private:
-  vec3 axis(float y) const { return {0.54f - settings_.lean * 0.09f * std::pow(y, 1.6f), y, 0.5f}; }
+  vec3 axis(float y) const { return {0.54f - settings_.lean * 0.09f * y * std::sqrt(y), y, 0.5f}; }
 
   std::vector<Lobe> compose() const {
     RandomStream random(hash(settings_.seed, 0xa5u));
@@ -75,13 +75,13 @@ class Ash final : public BillowShape {
     const auto place = [&](vec3 p, float radius) {
       puffs.push_back({p + random.direction() * (0.12f * radius), radius * random.uniform(0.93f, 1.07f)});
     };
-    const auto around = [](float angle) { return vec3(std::cos(angle), 0.0f, std::sin(angle)); };
+    const auto around = [](float angle) { return vec3(cosine(angle), 0.0f, sine(angle)); };
     for (const Puff& puff : column) place(axis(puff.y) + vec3(puff.x, 0, puff.z), puff.radius);
     // The umbrella's rim, larger and farther out downwind.
     const float turn = random.uniform(0.0f, 6.28f);
     for (int i = 0; i < 8; ++i) {
       const float angle = turn + 0.7854f * static_cast<float>(i) + random.uniform(-0.25f, 0.25f);
-      const float lee = 0.5f - 0.5f * std::cos(angle);
+      const float lee = 0.5f - 0.5f * cosine(angle);
       const float distance = settings_.spread * (0.17f + 0.07f * lee + random.uniform(-0.03f, 0.03f));
       const float y = 0.70f + random.uniform(-0.055f, 0.055f);
       place(axis(y) + around(angle) * distance, 0.056f + 0.028f * lee);
@@ -94,12 +94,12 @@ class Ash final : public BillowShape {
       place(axis(y) + around(angle) * (0.03f + 0.13f * y), 0.02f + 0.068f * y);
     }
     // Surges that run out along the ground, farther in three directions than between them.
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < 48; ++i) {
       const float angle = turn + 2.4f * static_cast<float>(i) + random.uniform(-0.15f, 0.15f);
-      const float run = 0.10f + 0.035f * std::cos(3.0f * (angle - turn)) - 0.02f * std::cos(angle);
-      const float share = std::sqrt((static_cast<float>(i) + 0.5f) / 40.0f);
+      const float run = 0.085f + 0.035f * cosine(3.0f * (angle - turn)) - 0.02f * cosine(angle);
+      const float share = std::sqrt((static_cast<float>(i) + 0.5f) / 48.0f);
       place(axis(0.0f) + around(angle) * (0.03f + share * run),
-            0.030f - 0.021f * share + random.uniform(-0.003f, 0.004f));
+            0.018f - 0.010f * share + random.uniform(-0.003f, 0.006f));
     }
     return puffs;
   }
@@ -109,9 +109,9 @@ class Ash final : public BillowShape {
     const vec3 from_axis = p - axis(p.y);
     const float away = std::sqrt(from_axis.x * from_axis.x + from_axis.z * from_axis.z);
     const float skin = 0.006f + 0.03f * p.y;
-    const float crevice = smooth_step(1.3f, -0.3f, hull / skin);
-    const float rise = smooth_step(0.36f, 0.0f, p.y) * smooth_step(0.13f, 0.05f, away - 0.2f * p.y);
-    const float value = settings_.heat * 1700.0f * rise * (0.25f + 0.75f * crevice);
+    const float crevice = smooth_step(1.2f, -0.4f, hull / skin);
+    const float low = smooth_step(0.44f, 0.02f, p.y) * smooth_step(0.12f, 0.04f, away - 0.25f * p.y);
+    const float value = settings_.heat * 1850.0f * std::sqrt(low) * (0.2f + 0.8f * crevice);
     if (value < 500.0f) return false;  // glows no more
     kelvin = value;
     return true;
@@ -126,7 +126,7 @@ class Ash final : public BillowShape {
     // Drawn out downwind, and sheared: shreds, not puffs.
     const vec3 q = p + 0.035f * gradient_noise3(p * 7.0f, settings_.seed + 31);
     const float ridges = ridged_noise(q * vec3(7, 19, 13), 3, 0.6f, settings_.seed + 32);
-    const float value = settings_.veils * 0.018f * mask * smooth_step(0.95f - 0.45f * mask, 1.0f, ridges);
+    const float value = settings_.veils * 0.02f * mask * smooth_step(0.95f - 0.45f * mask, 1.0f, ridges);
     return value > 0.0005f ? value : 0.0f;
   }
 };

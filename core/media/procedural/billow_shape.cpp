@@ -36,7 +36,7 @@ void BillowShape::fill_body(const BlockField& field, float variation, float* den
       [&](int i, float thickness) { density[i] = std::clamp(thickness, 0.0f, 1.0f); });
   const float half_width = edge(field.voxel);
   for (int i = 0; i < BlockField::count; ++i)
-    density[i] *= std::clamp(0.5f - 0.5f * field.surface[i] / half_width, 0.0f, 1.0f);
+    density[i] *= smooth_step(half_width, -half_width, field.surface[i]);
 }
 
 float BillowShape::room(vec3 position, float width) {

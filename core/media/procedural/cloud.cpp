@@ -13,9 +13,10 @@ struct Tower {
 };
 
 constexpr Tower towers[] = {
-    {-0.04f, 0.00f, 0.46f, 0.115f}, {0.15f, 0.05f, 0.30f, 0.100f},  {-0.20f, 0.05f, 0.27f, 0.090f},
-    {0.06f, -0.13f, 0.34f, 0.095f}, {0.29f, 0.00f, 0.16f, 0.070f},  {-0.32f, -0.03f, 0.13f, 0.062f},
-    {-0.08f, 0.15f, 0.19f, 0.080f}, {-0.14f, -0.14f, 0.2f, 0.080f},
+    {-0.05f, 0.00f, 0.50f, 0.100f}, {0.16f, 0.05f, 0.33f, 0.084f},  {-0.22f, 0.05f, 0.25f, 0.076f},
+    {0.06f, -0.14f, 0.36f, 0.085f}, {0.30f, -0.02f, 0.17f, 0.060f}, {-0.35f, -0.03f, 0.12f, 0.050f},
+    {-0.08f, 0.16f, 0.20f, 0.070f}, {-0.15f, -0.15f, 0.3f, 0.075f}, {0.20f, 0.19f, 0.14f, 0.055f},
+    {-0.26f, 0.18f, 0.10f, 0.048f},
 };
 
 class Cloud final : public BillowShape {
@@ -28,14 +29,14 @@ class Cloud final : public BillowShape {
              (outward.y < -0.2f ? 0.65f : 1.0f);
     };
     warp_reach = 0.03f;
-    raise_family({{0.36f, 0.75f, 1.5f, 0.62f, 0.15f, 0.92f},
-                  {0.24f, 0.60f, 1.8f, 0.60f, 0.05f, 0.90f},
-                  {0.22f, 0.55f, 1.8f, 0.58f, -0.05f, 0.92f},
-                  {0.22f, 0.50f, 1.5f, 0.60f, -0.25f, 0.95f}},
+    raise_family({{0.38f, 0.78f, 1.2f, 0.72f, 0.25f, 0.86f},
+                  {0.24f, 0.60f, 1.5f, 0.66f, 0.12f, 0.82f},
+                  {0.22f, 0.52f, 1.5f, 0.62f, 0.00f, 0.86f},
+                  {0.22f, 0.50f, 1.5f, 0.60f, -0.20f, 0.93f}},
                  scale);
 
     warp_wavelength = 0.023f;
-    hull_reach = 0.05f;
+    hull_reach = 0.1f;
     surface_reach = std::max(0.02f, edge(1.0f / static_cast<float>(settings.resolution)));
     solid_depth = 0.03f;
   }
@@ -82,9 +83,9 @@ class Cloud final : public BillowShape {
     for (int i = 0; i < 26; ++i) {
       const float angle = 2.4f * static_cast<float>(i),
                   share = std::sqrt((static_cast<float>(i) + 0.5f) / 26.0f);
-      place({0.5f + settings_.spread * 0.38f * share * std::cos(angle), random.uniform(0.05f, 0.08f),
-             0.5f + settings_.spread * 0.25f * share * std::sin(angle)},
-            0.065f - 0.025f * share);
+      place({0.5f + settings_.spread * 0.38f * share * cosine(angle), random.uniform(0.05f, 0.08f),
+             0.5f + settings_.spread * 0.25f * share * sine(angle)},
+            0.055f - 0.025f * share);
     }
     return puffs;
   }
@@ -96,7 +97,7 @@ class Cloud final : public BillowShape {
     if (mask < 0.02f) return 0.0f;
     const vec3 q = p + 0.03f * gradient_noise3(p * 9.0f, settings_.seed + 31);
     const float n = fractal_noise(q * vec3(13, 20, 13), 3, 0.6f, settings_.seed + 32);
-    const float value = settings_.veils * 0.12f * mask * smooth_step(0.05f, 0.5f, n);
+    const float value = settings_.veils * 0.05f * mask * smooth_step(0.05f, 0.5f, n);
     return value > 0.0005f ? value : 0.0f;
   }
 };

@@ -17,10 +17,10 @@ class Explosion final : public BillowShape {
       return 1.0f + 0.3f * gradient_noise(centre * 6.0f, settings_.seed + 5);
     };
     warp_reach = 0.045f;
-    raise_family({{0.38f, 0.78f, 1.3f, 0.68f, 0.22f, 0.88f},
-                  {0.26f, 0.62f, 1.6f, 0.64f, 0.12f, 0.84f},
-                  {0.22f, 0.55f, 1.8f, 0.60f, -0.05f, 0.90f},
-                  {0.22f, 0.50f, 1.5f, 0.60f, -0.25f, 0.95f}},
+    raise_family({{0.38f, 0.78f, 1.2f, 0.76f, 0.32f, 0.84f},
+                  {0.24f, 0.60f, 1.5f, 0.68f, 0.18f, 0.76f},
+                  {0.22f, 0.52f, 1.5f, 0.64f, 0.05f, 0.84f},
+                  {0.22f, 0.50f, 1.5f, 0.60f, -0.15f, 0.92f}},
                  scale);
 
     warp_wavelength = 0.027f;
@@ -40,12 +40,15 @@ class Explosion final : public BillowShape {
     for (int i = 0; i < BlockField::count; ++i) {
       if (density[i] <= 0.0f) continue;
       const vec3 p = field.position(i);
-      // The skin has cooled from above; below and in its tears the fire shows.
-      const float skin = 0.022f + 0.02f * p.y;
-      const float torn = 0.6f * fractal_noise(p * 6.5f, 2, 0.5f, settings_.seed + 51);
-      const float depth = smooth_step(1.4f, -1.0f, field.hull[i] / skin - 1.2f * torn);
-      const float height = smooth_step(1.05f, 0.05f, p.y);
-      const float kelvin = settings_.heat * 2300.0f * depth * (0.45f + 0.55f * height);
+      // The skin has cooled, from above first; in its crevices and tears and under its belly the fire shows.
+      const vec3 design = fit_.design_from_object(p);
+      const float torn = fractal_noise(p * 5.0f, 3, 0.55f, settings_.seed + 51);
+      const float belly = smooth_step(0.75f, 0.25f, design.y);
+      const float skin = std::max(0.006f, 0.022f + 0.022f * belly + 0.06f * torn);
+      const float depth = smooth_step(1.5f, -0.3f, field.hull[i] / skin);
+      const float away = glm::length(design - vec3(0.5f, design.y, 0.5f));  // from the stem's axis
+      const float dust = smooth_step(0.15f, 0.08f, design.y) * smooth_step(0.06f, 0.11f, away);
+      const float kelvin = settings_.heat * 2250.0f * depth * (0.78f + 0.22f * belly) * (1.0f - dust);
       if (kelvin < 550.0f) continue;
       temperature[i] = kelvin;
       hot = true;
@@ -60,31 +63,30 @@ class Explosion final : public BillowShape {
     const auto place = [&](vec3 p, float radius) {
       puffs.push_back({p + random.direction() * (0.15f * radius), radius * random.uniform(0.88f, 1.12f)});
     };
-    const vec3 heart(0.5f, 0.46f, 0.5f);
-    place(heart, 0.17f);
-    place(heart + vec3(0.02f, 0.13f, 0.0f), 0.14f);
+    const vec3 heart(0.5f, 0.50f, 0.5f);
+    place(heart, 0.15f);
+    place(heart + vec3(0.02f, 0.13f, 0.0f), 0.11f);
     const float turn = random.uniform(0.0f, 6.28f);
-    // Balls over the whole fireball, the rolling ring under its waist the largest.
-    for (int i = 0; i < 26; ++i) {
-      const float z = 1.0f - 1.8f * (static_cast<float>(i) + 0.5f) / 26.0f;
+    // Balls over the whole fireball; the ring that rolls around its waist is the largest.
+    for (int i = 0; i < 24; ++i) {
+      const float z = 1.0f - 1.75f * (static_cast<float>(i) + 0.5f) / 24.0f;
       const float ring = std::sqrt(1.0f - z * z), angle = turn + 2.4f * static_cast<float>(i);
-      const vec3 out(ring * std::cos(angle), z, ring * std::sin(angle));
-      const float waist = smooth_step(0.9f, 0.0f, std::fabs(z + 0.15f));
-      place(heart + out * vec3(0.19f + 0.05f * waist, 0.21f, 0.19f + 0.05f * waist) *
-                        (settings_.spread * random.uniform(0.85f, 1.15f)),
-            0.055f + 0.035f * waist + random.uniform(-0.01f, 0.015f));
+      const float waist = smooth_step(0.9f, 0.0f, std::fabs(z + 0.1f));
+      const vec3 reach = settings_.spread * vec3(0.17f + 0.06f * waist, 0.20f, 0.17f + 0.06f * waist);
+      place(heart + vec3(ring * cosine(angle), z, ring * sine(angle)) * reach * random.uniform(0.8f, 1.2f),
+            0.045f + 0.035f * waist + random.uniform(-0.01f, 0.015f));
     }
-    // The stem, and the dust it kicks up.
-    for (int i = 0; i < 5; ++i) {
-      const float y = 0.055f * static_cast<float>(i);
-      place({0.5f, y, 0.5f}, 0.062f + 0.008f * static_cast<float>(i % 2));
+    // The stem, and the dust that runs out from its foot.
+    for (int i = 0; i < 7; ++i) {
+      const float y = 0.05f * static_cast<float>(i);
+      place({0.5f, y, 0.5f}, 0.045f + 0.006f * static_cast<float>(i));
     }
-    for (int i = 0; i < 34; ++i) {
-      const float angle = turn + 2.4f * static_cast<float>(i),
-                  share = std::sqrt((static_cast<float>(i) + 0.5f) / 34.0f);
-      const float run = 0.21f + 0.04f * std::cos(3.0f * (angle - turn));
-      place(vec3(0.5f, 0.0f, 0.5f) + vec3(std::cos(angle), 0, std::sin(angle)) * (share * run),
-            0.042f - 0.022f * share);
+    for (int i = 0; i < 60; ++i) {
+      const float angle = turn + 2.4f * static_cast<float>(i);
+      const float share = std::sqrt((static_cast<float>(i) + 0.5f) / 60.0f);
+      const float run = 0.24f + 0.05f * cosine(3.0f * (angle - turn));
+      place(vec3(0.5f, 0.0f, 0.5f) + vec3(cosine(angle), 0, sine(angle)) * (share * run),
+            0.028f - 0.010f * share + random.uniform(-0.004f, 0.006f));
     }
     return puffs;
   }

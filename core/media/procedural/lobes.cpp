@@ -62,8 +62,8 @@ void gather_candidates(const LobeFamily& family, std::uint32_t parent, const Lob
     const float z = 1.0f - 2.0f * (static_cast<float>(i) + 0.5f) / static_cast<float>(count);
     const float ring = std::sqrt(1.0f - z * z);
     const float angle = golden_angle * static_cast<float>(i) + random.uniform(-0.5f, 0.5f);
-    const vec3 outward = z * axis + ring * (std::cos(angle) * side + std::sin(angle) * other);
-    const float size = std::pow(random.uniform(), growth.bias);
+    const vec3 outward = z * axis + ring * (cosine(angle) * side + sine(angle) * other);
+    const float size = power(random.uniform(), growth.bias);
     const float jitter = random.uniform(-0.25f, 0.25f);
     float radius = bearer.radius * (growth.smallest + (growth.largest - growth.smallest) * size);
     const vec3 surface = bearer.centre + bearer.radius * outward;
@@ -95,7 +95,7 @@ void settle_bodies(LobeFamily& family, const Growth& growth, float least_radius)
     const float radius = family.lobes[i].radius;
     // How many of its lobes are shown: their sizes are spread as gather_candidates() draws them.
     const float size = (least_radius / radius - growth.smallest) / (growth.largest - growth.smallest);
-    const float shown = 1.0f - std::pow(std::clamp(size, 0.0f, 1.0f), 1.0f / growth.bias);
+    const float shown = 1.0f - power(std::clamp(size, 0.0f, 1.0f), 1.0f / growth.bias);
     family.body[i] = radius * (swell + (growth.core - swell) * shown);
   }
 }

@@ -22,6 +22,18 @@ inline std::uint32_t hash(std::uint32_t a, std::uint32_t b) {
   return hash(a ^ hash(b + 0x9e3779b9u));
 }
 
+/// The library's functions in double precision, rounded: their floats differ in the last bit from one
+/// processor to another, and a lobe's place must not.
+inline float cosine(float angle) {
+  return static_cast<float>(std::cos(double(angle)));
+}
+inline float sine(float angle) {
+  return static_cast<float>(std::sin(double(angle)));
+}
+inline float power(float base, float exponent) {
+  return static_cast<float>(std::pow(double(base), double(exponent)));
+}
+
 /// A small stream of random numbers: a counter that is hashed. Streams of different keys are independent.
 class RandomStream {
  public:
@@ -34,7 +46,7 @@ class RandomStream {
   vec3 direction() {
     const float z = uniform(-1.0f, 1.0f), angle = uniform(0.0f, 6.2831853f);
     const float r = std::sqrt(std::fmax(0.0f, 1.0f - z * z));
-    return {r * std::cos(angle), z, r * std::sin(angle)};
+    return {r * cosine(angle), z, r * sine(angle)};
   }
 
  private:

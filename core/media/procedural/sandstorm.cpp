@@ -19,10 +19,10 @@ class Sandstorm final : public BillowShape {
              (outward.z < -0.3f ? 0.7f : 1.0f);
     };
     warp_reach = 0.035f;
-    raise_family({{0.36f, 0.75f, 1.4f, 0.66f, 0.20f, 0.90f},
-                  {0.26f, 0.62f, 1.7f, 0.62f, 0.10f, 0.86f},
-                  {0.22f, 0.55f, 1.8f, 0.60f, -0.05f, 0.90f},
-                  {0.22f, 0.50f, 1.5f, 0.60f, -0.25f, 0.95f}},
+    raise_family({{0.40f, 0.80f, 1.2f, 0.74f, 0.30f, 0.85f},
+                  {0.26f, 0.60f, 1.5f, 0.68f, 0.18f, 0.80f},
+                  {0.22f, 0.52f, 1.5f, 0.64f, 0.05f, 0.85f},
+                  {0.22f, 0.50f, 1.5f, 0.60f, -0.15f, 0.92f}},
                  scale);
 
     warp_wavelength = 0.027f;
@@ -54,26 +54,27 @@ class Sandstorm final : public BillowShape {
       puffs.push_back({p + random.direction() * (0.2f * radius), radius * random.uniform(0.85f, 1.15f)});
     };
     const float phase = random.uniform(0.0f, 6.28f);
-    for (int i = 0; i < 15; ++i) {
-      const float x = 0.06f + 0.88f * static_cast<float>(i) / 14.0f;
+    constexpr int columns = 13, rows = 6;
+    for (int i = 0; i < columns; ++i) {
+      const float x = 0.05f + 0.9f * static_cast<float>(i) / (columns - 1);
       const float side = std::fabs(x - 0.5f) * 2.0f;
-      // The front bends back at the ends and bulges in between.
-      const float front = 0.68f - 0.10f * side * side + 0.05f * std::sin(9.0f * x + phase);
-      const float height =
-          0.30f * (1.0f - 0.35f * side * side) * (1.0f + 0.22f * std::sin(7.0f * x + 2.0f * phase));
-      for (int row = 0; row < 4; ++row) {
-        const float up = (static_cast<float>(row) + 0.3f) / 4.0f;
-        const float nose = 0.05f * settings_.lean * std::sin(3.0f * (up + 0.15f));
-        const float radius = 0.052f + 0.012f * (1.0f - up);
-        place({x, up * height, front + nose - 0.10f * up}, radius);
+      // The wall bends back and sinks towards its ends; in between it stands in buttresses.
+      const float front =
+          0.62f - 0.08f * side * side + 0.04f * sine(9.0f * x + phase) + random.uniform(-0.04f, 0.04f);
+      const float height = 0.40f * (1.0f - 0.3f * side * side) *
+                           (1.0f + 0.16f * sine(6.0f * x + 2.0f * phase)) * random.uniform(0.9f, 1.1f);
+      // The face: a nose that runs ahead near the ground, a brow that hangs over, a crest that trails.
+      for (int row = 0; row < rows; ++row) {
+        const float up = (static_cast<float>(row) + 0.2f) / rows;
+        const float ahead =
+            settings_.lean * (0.045f * sine(8.0f * up + 0.3f) + 0.04f * up) - 0.10f * up * up * up;
+        place({x, up * height, front + ahead}, 0.036f + 0.026f * up);
       }
       // The body behind, sinking away from the crest.
-      for (int row = 0; row < 4; ++row) {
-        const float back = 0.07f + 0.085f * static_cast<float>(row);
-        const float top = height * (0.75f - 0.13f * static_cast<float>(row));
-        place({x, top, front - back}, 0.055f);
-        place({x, 0.5f * top, front - back}, 0.06f);
-        place({x, 0.0f, front - back}, 0.06f);
+      for (int row = 0; row < 3; ++row) {
+        const float back = 0.09f + 0.085f * static_cast<float>(row);
+        const float top = height * (0.85f - 0.27f * static_cast<float>(row));
+        for (float y = top; y > -0.03f; y -= 0.075f) place({x, y, front - back}, 0.058f);
       }
     }
     return puffs;
