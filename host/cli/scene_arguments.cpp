@@ -7,6 +7,7 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <span>
 #include <stdexcept>
 
@@ -73,17 +74,19 @@ std::vector<Edit> edits_of(const SceneArguments& arguments) {
   return edits;
 }
 
+// Two lines per parameter. value_text: what stands in brackets behind what it may be.
 template <class T>
-void list_parameters(std::string& text, const std::string& prefix, const std::vector<Parameter<T>>& table,
-                     const T* values) {
+std::string list_parameters(const std::string& prefix, const std::vector<Parameter<T>>& table,
+                            const std::function<std::string(const Parameter<T>&)>& value_text = {}) {
+  std::string text;
   for (const auto& parameter : table) {
     const ParameterSpec& spec = parameter.spec;
-    std::string line = fmt::format("  {:<26} {}", prefix + spec.name, expectation(spec));
-    if (!spec.unit.empty()) line += " [" + spec.unit + "]";
-    if (values)
-      if (const auto value = parameter.get(*values)) line += fmt::format(" ({})", to_text(spec, *value));
-    text += line + "\n" + fmt::format("  {:<26}   {}\n", "", spec.help);
+    text += fmt::format("  {:<26} {}", prefix + spec.name, expectation(spec));
+    if (!spec.unit.empty()) text += " [" + spec.unit + "]";
+    if (value_text) text += " (" + value_text(parameter) + ")";
+    text += fmt::format("\n  {:<26}   {}\n", "", spec.help);
   }
+  return text;
 }
 
 }  // namespace
@@ -177,28 +180,33 @@ PreparedScene prepare_scene(const SceneArguments& arguments) {
 }
 
 std::string quality_help() {
-  const Quality fast;
-  std::string text = "Quality parameters, for presets and --set (the built-in default in brackets):\n";
-  list_parameters(text, "", quality_parameters(), &fast);
-  const auto names = preset_names(preset_folders());
-  text += "Presets: " + (names.empty() ? "none" : join(names)) +
-          "\nLooked for in: " + join(preset_folders()) + "\n";
-  return text;
+  const auto folders = preset_folders();
+  const auto names = preset_names(folders);
+  std::vector<Preset> presets;
+  for (const std::string& name : names) presets.push_back(load_preset(name, folders));
+  std::string text = "Quality parameters, for presets and --set:\n";
+  text += list_parameters<Quality>("", quality_parameters(), [&](const Parameter<Quality>& parameter) {
+    std::vector<std::string> values;
+    for (std::size_t i = 0; i < presets.size(); ++i)
+      values.push_back(names[i] + " " + to_text(parameter.spec, *parameter.get(presets[i].quality)));
+    return join(values);
+  });
+  return text + "Presets: " + (names.empty() ? "none" : join(names)) + "\nLooked for in: " + join(folders) +
+         "\n";
 }
 
 std::string scene_help() {
   std::string text = "Keys of a scene, for .json files and --set:\n";
-  list_parameters<SceneDescription>(text, "", scene_parameters(), nullptr);
+  text += list_parameters("", scene_parameters());
   text += fmt::format("  {:<26} [width, height] in pixels\n", "size");
-  text += "of the camera:\n";
-  list_parameters<CameraDescription>(text, "camera.", camera_parameters(), nullptr);
-  text += "of each medium (in \"media\": [...], or in the scene itself where there is one):\n";
-  list_parameters<MediumDescription>(text, "medium.", medium_parameters(), nullptr);
+  text += "of the camera:\n" + list_parameters("camera.", camera_parameters());
+  text += "of each medium (in \"media\": [...], or in the scene itself where there is one):\n" +
+          list_parameters("medium.", medium_parameters());
   text += fmt::format(
       "  {:<26} a number\n  {:<26}   shape of a procedural medium; 'plinian make --help' lists them\n",
       "medium.shape.NAME", "");
-  text += "of each light (in \"lights\": [...]; without them there are two, called key and rim):\n";
-  list_parameters<LightDescription>(text, "LIGHT.", light_parameters(), nullptr);
+  text += "of each light (in \"lights\": [...]; without them there are two, called key and rim):\n" +
+          list_parameters("LIGHT.", light_parameters());
   return text;
 }
 
