@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "core/shared/light_falloff.h"
 
@@ -12,9 +13,11 @@ MarchScene::LightOptics prepare(const Light& light) {
   const float outer = glm::radians(glm::clamp(0.5f * light.cone_angle, 0.0f, 180.0f));
   const float inner = glm::max(outer - glm::radians(light.penumbra), 0.0f);
   const dvec3 power(light.power());
+  if (light.type != LightType::point && !(glm::length(light.toward) > 0.0f))
+    throw std::invalid_argument("light '" + light.name + "': its direction `toward` has no length");
   return {.type = light.type,
           .power = power,
-          .toward = glm::normalize(dvec3(light.toward)),
+          .toward = light.type == LightType::point ? dvec3(0, 1, 0) : glm::normalize(dvec3(light.toward)),
           .position = dvec3(light.position),
           .falloff = static_cast<int>(light.falloff),
           .radius = glm::max(light.radius, 0.0f),

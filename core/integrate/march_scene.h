@@ -23,7 +23,7 @@ struct MarchSteps {
 class MarchScene {
  public:
   /// Keeps pointers to the snapshot's volumes. Throws std::invalid_argument for a medium that cannot be
-  /// walked.
+  /// walked or a light without a direction.
   MarchScene(const SceneSnapshot& scene, const MarchSteps& steps);
 
   struct MediumOptics {

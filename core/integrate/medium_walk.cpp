@@ -219,7 +219,7 @@ double MediumWalk::integral(const Ray& ray, double begin, double end, double eno
 
 double MediumWalk::voxel_length(dvec3 world_direction) const {
   const double local = glm::length(dvec3(local_from_world_ * dvec4(world_direction, 0.0)));
-  return (shape_ == MediumShape::voxels ? 1.0 : 1.0 / 128.0) / local;
+  return (shape_ == MediumShape::voxels ? 1.0 : 1.0 / 64.0) / local;
 }
 
 float MediumWalk::stored_temperature(dvec3 world_position) const {

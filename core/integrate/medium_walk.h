@@ -51,7 +51,7 @@ class MediumWalk {
   /// Integral of density between two distances [unit of the file * world]; once past `enough` it ends there.
   double integral(const Ray& ray, double begin, double end, double enough) const;
 
-  /// Length of one voxel along a direction [world]; the analytic shapes count as 256 voxels across.
+  /// Length of one voxel along a direction [world]; the analytic shapes count as 128 voxels across.
   double voxel_length(dvec3 world_direction) const;
 
   /// Stored temperature at a point [K]; zero for shapes and volumes without one.

@@ -52,7 +52,7 @@ TEST(DualMarchConvergence, ErrorsFallByMoreThanTheThirdPowerOfTheStep) {
   scene.media = {analytic_medium(MediumShape::box, vec3(1.5f), vec3(0.5f))};
   scene.lights = {sun(toward)};
   MarchSteps steps;
-  steps.length = 64.0;  // a quarter of the box
+  steps.length = 64.0;  // half of the box
   const MarchScene march(scene, steps);
   RayIntegral integral(march);
   double errors[levels] = {}, sum = 0.0;
@@ -286,6 +286,10 @@ TEST(DualMarchRobustness, AWorldWithoutMediaIsItsBackground) {
   SceneSnapshot scene = cloud_scene();
   scene.media.clear();
   scene.background = vec3(0.5f);
+  EXPECT_EQ(DualMarch().render(scene).beauty[100], vec3(0.5f));
+  scene.lights[0].toward = vec3(0.0f);
+  EXPECT_THROW(DualMarch().render(scene), std::invalid_argument);
+  scene.lights[0].type = LightType::point;  // shines everywhere and needs no direction
   EXPECT_EQ(DualMarch().render(scene).beauty[100], vec3(0.5f));
   scene.width = 0;
   EXPECT_THROW(DualMarch().render(scene), std::invalid_argument);
