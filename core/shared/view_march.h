@@ -15,11 +15,11 @@
 PLN_BEGIN
 
 struct ViewControls {
-  float quantum;     // [-] opacity gained between two light lookups
-  float step;        // [voxels] between density samples
-  float first_step;  // [voxels] in (0, step]: jitter of the density samples
-  float jitter;      // [-] in [0, 1): where in its quantum a lookup stands; negative: at its centroid
-  float cutoff;      // [-] transmittance at which the ray ends
+  float quantum;  // [-] opacity gained between two light lookups
+  float step;     // [voxels] between density samples
+  float lead;     // [voxels] in [0, step): jitter of the density samples
+  float jitter;   // [-] in [0, 1): where in its quantum a lookup stands; negative: at its centroid
+  float cutoff;   // [-] transmittance at which the ray ends
 };
 
 /// The direction through a pixel's centre [world], unit; rows run downwards. See CameraRays.
@@ -46,8 +46,9 @@ PLN_FN ViewControls view_controls(ivec2 pixel, int pass, float quantum, float st
   float second = fract(shift + float(pass) * 0.5698402910f);
   ViewControls controls;
   controls.quantum = quantum;
-  controls.step = step;
-  controls.first_step = pass == 0 ? step : step * (1.0f - first);
+  // Further passes sample density more finely, as what they add has to be finer.
+  controls.step = pass == 0 ? step : pass < 4 ? 0.5f * step : 0.25f * step;
+  controls.lead = pass == 0 ? 0.0f : controls.step * first;
   controls.jitter = pass == 0 ? -1.0f : second;
   controls.cutoff = cutoff;
   return controls;
@@ -99,12 +100,12 @@ PLN_FN int map_face(PLN_SCENE, int l, vec3 p) {
 /// Optical depth of colour group g's reference channel between p and light l, marched; ends where it passes
 /// LIGHT_MARCH_DEPTH.
 PLN_FN float march_light(PLN_SCENE, int l, int g, vec3 p) {
-  Walk walk = walk_begin(scene, p, -light_travel(scene, l, p), 0.0f, g);
+  Walk walk = walk_begin(scene, p, -light_travel(scene, l, p), 0.0f, 0.0f, g);
   float reach = LIGHT(l).type == light_directional ? 1e30f : length(p - LIGHT(l).position);
   float end = min(walk.t_end, reach);
   float tau = 0.0f;
   while (walk.t_b < end && tau < LIGHT_MARCH_DEPTH) {
-    walk_advance(scene, walk, LIGHT_MARCH_STEP, LIGHT_MARCH_STEP);
+    walk_advance(scene, walk, LIGHT_MARCH_STEP);
     float length_inside = min(walk.t_b, end) - min(walk.t, end);
     FOR_MEDIA tau += 0.5f * (walk.a[m] + walk.b[m]) * length_inside * MEDIUM(m).sigma_group;
   }
@@ -175,7 +176,7 @@ PLN_FN ViewResult march_view(PLN_SCENE, vec3 origin, vec3 direction, float t_nea
   float guide_sigma[MEDIA_CAPACITY];  // what steers the march: the mean of the channels
   FOR_MEDIA guide_sigma[m] = sigma_guide(scene, m);
 
-  Walk walk = walk_begin(scene, origin, direction, t_near, -1);
+  Walk walk = walk_begin(scene, origin, direction, t_near, controls.lead, -1);
   Spectrum seen = Spectrum(1.0f);  // transmittance up to walk.t
   float seen_mean = 1.0f;
   bool alive = walk.t_end > walk.t;
@@ -216,7 +217,9 @@ PLN_FN ViewResult march_view(PLN_SCENE, vec3 origin, vec3 direction, float t_nea
       }
       bool stopped = tau + gain >= tau_stop;
       float share = rest > 0.0f ? piece / rest : 1.0f;
-      if (gain > 0.0f) begin = min(begin, walk.t);
+      float matter_here = 0.0f;
+      FOR_MEDIA matter_here += walk.a[m] + walk.b[m];
+      if (matter_here > 0.0f) begin = min(begin, walk.t);
       tau += gain;
       moment += gain * (walk.t + 0.5f * piece);
       FOR_MEDIA {
@@ -233,7 +236,7 @@ PLN_FN ViewResult march_view(PLN_SCENE, vec3 origin, vec3 direction, float t_nea
       } else {
         alive = walk.t_b < walk.t_end;
         gathering = alive;
-        if (alive) walk_advance(scene, walk, controls.step, controls.first_step);
+        if (alive) walk_advance(scene, walk, controls.step);
       }
     }
 

@@ -29,6 +29,7 @@ struct Walk {
   float t_b;
   float t_end;     // the last medium is left here
   float per_step;  // [world] shortest of the rays'
+  float comb;      // [t] the sampling point at or before t_b
 };
 
 PLN_FN vec3 local_point(MediumData medium, vec3 p) {
@@ -128,8 +129,7 @@ PLN_FN float probe(PLN_SCENE, int m, LocalRay ray, float t, PLN_INOUT(float) emp
   uvec2 entry = find_cell(scene, m, ivec3(p), corner, size);
   float density = 0.0f;
   bool occupied = entry.x >= 0x80000000u;
-  // A thousandth of a voxel on, so that rounding cannot leave t in the cell it leaves.
-  if (!occupied) empty_until = max(leave_empty(ray, entry, corner, size), t) + 1e-3f * ray.per_step;
+  if (!occupied) empty_until = max(leave_empty(ray, entry, corner, size), t);
   // A loop of one turn: llvmpipe would take both sides of an if.
   while (occupied) {
     density = entry_scale(entry) * brick_density(scene, m, entry.x & 0x7fffffffu, p - vec3(corner));
@@ -145,8 +145,9 @@ PLN_FN float walk_density(PLN_SCENE, int m, LocalRay ray, float t, PLN_INOUT(flo
 }
 
 /// Starts a walk of the media of colour group `group` (all of them where it is negative) at t_near >= 0. The
-/// first segment is empty: walk_advance() finds the next.
-PLN_FN Walk walk_begin(PLN_SCENE, vec3 origin, vec3 direction, float t_near, int group) {
+/// first segment is empty: walk_advance() finds the next. Sampling points begin `lead` voxels before the
+/// media.
+PLN_FN Walk walk_begin(PLN_SCENE, vec3 origin, vec3 direction, float t_near, float lead, int group) {
   Walk walk;
   walk.t = 1e30f;
   walk.t_end = 0.0f;
@@ -171,44 +172,54 @@ PLN_FN Walk walk_begin(PLN_SCENE, vec3 origin, vec3 direction, float t_near, int
     }
   }
   walk.t_b = walk.t;
+  walk.comb = walk.t - lead * walk.per_step;
   return walk;
 }
 
-/// Moves on to the next segment: over empty space at one leap, else `step` voxels, of which the first after a
-/// leap is `first_step` (a jitter). To be called while t_b < t_end.
-PLN_FN void walk_advance(PLN_SCENE, PLN_INOUT(Walk) walk, float step, float first_step) {
-  float leap = 1e30f;
+/// Densities at the end of the segment.
+PLN_FN void walk_segment_end(PLN_SCENE, PLN_INOUT(Walk) walk) {
+  FOR_MEDIA {
+    float density = 0.0f;
+    if (ANALYTIC_MEDIA || SEVERAL_MEDIA) {
+      float middle = 0.5f * (walk.t + walk.t_b);
+      bool inside = middle > walk.rays[m].t_enter && middle < walk.rays[m].t_leave;
+      bool analytic = ANALYTIC_MEDIA && MEDIUM(m).shape != shape_voxels;
+      if (middle >= walk.rays[m].t_leave) walk.empty_until[m] = 1e30f;
+      bool look = inside && (analytic || walk.t_b >= walk.empty_until[m]);
+      while (look) {
+        density = walk_density(scene, m, walk.rays[m], walk.t_b, walk.empty_until[m]);
+        look = false;
+      }
+      if (analytic || !inside) walk.a[m] = density;
+    } else {
+      density = probe(scene, m, walk.rays[m], walk.t_b, walk.empty_until[m]);
+    }
+    walk.b[m] = density;
+  }
+}
+
+/// Moves on to the next segment: over empty space at one leap, else to the next of the ray's sampling points,
+/// which lie `step` voxels apart whatever was leapt over.
+/// To be called while t_b < t_end.
+PLN_FN void walk_advance(PLN_SCENE, PLN_INOUT(Walk) walk, float step) {
+  float leap = walk.t_end;
   FOR_MEDIA {
     walk.a[m] = walk.b[m];
     leap = min(leap, walk.empty_until[m]);
   }
-  bool leaps = leap > walk.t_b;
-  walk.t = min(max(walk.t_b, leap), walk.t_end);
   // Far from the camera a step must not drown in rounding.
-  walk.t_b = min(walk.t + max((leaps ? first_step : step) * walk.per_step, 1e-6f * walk.t), walk.t_end);
+  float spacing = max(step * walk.per_step, 1e-6f * walk.t_b);
+  walk.t = max(walk.t_b, walk.comb + floor((leap - walk.comb) / spacing) * spacing);
+  walk.comb += floor((walk.t - walk.comb) / spacing + 1e-3f) * spacing;
+  walk.t_b = min(walk.comb + spacing, walk.t_end);
   if (ANALYTIC_MEDIA || SEVERAL_MEDIA) {
-    // A segment ends where a medium begins or, for those with a sharp edge, ends.
+    // A segment ends where a medium begins or ends.
     FOR_MEDIA {
       if (walk.rays[m].t_enter > walk.t) walk.t_b = min(walk.t_b, walk.rays[m].t_enter);
       if (walk.rays[m].t_leave > walk.t) walk.t_b = min(walk.t_b, walk.rays[m].t_leave);
     }
-    FOR_MEDIA {
-      float middle = 0.5f * (walk.t + walk.t_b);
-      bool inside = middle > walk.rays[m].t_enter && middle < walk.rays[m].t_leave;
-      bool analytic = ANALYTIC_MEDIA && MEDIUM(m).shape != shape_voxels;
-      walk.b[m] = 0.0f;
-      if (middle >= walk.rays[m].t_leave) walk.empty_until[m] = 1e30f;
-      bool look = inside && (analytic || walk.t_b >= walk.empty_until[m]);
-      while (look) {
-        walk.b[m] = walk_density(scene, m, walk.rays[m], walk.t_b, walk.empty_until[m]);
-        look = false;
-      }
-      if (analytic) walk.a[m] = walk.b[m];
-      if (!inside) walk.a[m] = 0.0f;
-    }
-  } else {
-    FOR_MEDIA walk.b[m] = probe(scene, m, walk.rays[m], walk.t_b, walk.empty_until[m]);
   }
+  walk_segment_end(scene, walk);
 }
 
 PLN_END

@@ -15,9 +15,15 @@ std::string_view find_file(std::string_view path) {
   throw std::runtime_error("shader file '" + std::string(path) + "' is not part of this build");
 }
 
-void append_file(std::string_view path, std::set<std::string, std::less<>>& seen, std::string& out) {
-  if (!seen.emplace(path).second) return;
-  std::string_view text = find_file(path);
+using Seen = std::set<std::string, std::less<>>;
+
+void append_text(std::string_view text, Seen& seen, std::string& out);
+
+void append_file(std::string_view path, Seen& seen, std::string& out) {
+  if (seen.emplace(path).second) append_text(find_file(path), seen, out);
+}
+
+void append_text(std::string_view text, Seen& seen, std::string& out) {
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size() - 1) + 1;
     const std::string_view line = text.substr(0, end);
@@ -35,18 +41,15 @@ void append_file(std::string_view path, std::set<std::string, std::less<>>& seen
   }
 }
 
-}  // namespace
-
-std::string shader_source(std::string_view path, const Defines& defines) {
+std::string with_defines(std::string_view text, const Defines& defines) {
   std::string out = "#version 450 core\n";
   for (const auto& [name, value] : defines) out += "#define " + name + " " + value + "\n";
-  std::set<std::string, std::less<>> seen;
-  append_file(path, seen, out);
+  Seen seen;
+  append_text(text, seen, out);
   return out;
 }
 
-Program make_compute_program(std::string_view path, const Defines& defines) {
-  const std::string source = shader_source(path, defines);
+Program compile(std::string_view path, const std::string& source) {
   const char* text = source.c_str();
   Program program(glCreateShaderProgramv(GL_COMPUTE_SHADER, 1, &text));
   GLint linked = 0;
@@ -59,6 +62,20 @@ Program make_compute_program(std::string_view path, const Defines& defines) {
     throw std::runtime_error(std::string(path) + ": the shader does not compile: " + log);
   }
   return program;
+}
+
+}  // namespace
+
+std::string shader_source(std::string_view path, const Defines& defines) {
+  return with_defines(find_file(path), defines);
+}
+
+Program make_compute_program_from(std::string_view name, std::string_view text, const Defines& defines) {
+  return compile(name, with_defines(text, defines));
+}
+
+Program make_compute_program(std::string_view path, const Defines& defines) {
+  return compile(path, shader_source(path, defines));
 }
 
 }  // namespace plinian::gl

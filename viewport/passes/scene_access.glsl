@@ -41,7 +41,7 @@ const int g = 0;
 #define FOR_GROUPS for (int g = 0; g < GROUP_COUNT; ++g)
 #endif
 #define MEDIA_CAPACITY MEDIA_COUNT
-#define LIGHT_CAPACITY LIGHT_COUNT
+#define LIGHT_CAPACITY max(LIGHT_COUNT, 1)  // no array may be empty
 
 #if GREY_EXTINCTION
 #define Spectrum float

@@ -1,0 +1,69 @@
+// What an edit costs, in counters.
+#include "tests/viewport/scenes.h"
+#include "viewport/gl_renderer.h"
+
+namespace plinian::test {
+namespace {
+
+class Edits : public testing::Test {
+ protected:
+  Edits() : renderer(make_gl_renderer()), scene(ash_scene(64, 64)) {
+    before = renderer->render(scene, 1);
+    builds = renderer->stats().map_builds;
+    uploads = renderer->stats().volume_uploads;
+  }
+  std::unique_ptr<Renderer> renderer;
+  SceneSnapshot scene;
+  Frame before;
+  std::int64_t builds = 0, uploads = 0;
+};
+
+TEST_F(Edits, TheFirstPictureBuildsOneMapPerLight) {
+  EXPECT_EQ(builds, std::int64_t(scene.lights.size()));
+  EXPECT_EQ(uploads, 1);
+}
+
+TEST_F(Edits, AlbedoPhaseLightColourAndCameraBuildNoMapAndUploadNothing) {
+  const vec3 extinction = scene.media[0].sigma_s + scene.media[0].sigma_a;
+  scene.media[0].sigma_s = 0.3f * extinction;
+  scene.media[0].sigma_a = extinction - scene.media[0].sigma_s;
+  const Frame darker = renderer->render(scene, 1);
+  EXPECT_GT(largest_difference(before, darker), 0.05);
+  scene.lights[0].colour = {1, 0.3f, 0.1f};
+  scene.lights[0].exposure += 1.0f;
+  scene.media[0].phase = {PhaseKind::henyey_greenstein, 0.5f};
+  scene.camera.focal_length *= 1.1f;
+  renderer->render(scene, 1);
+  EXPECT_EQ(renderer->stats().map_builds, builds);
+  EXPECT_EQ(renderer->stats().volume_uploads, uploads);
+}
+
+TEST_F(Edits, ExtinctionBuildsAllMapsAndOneLightsDirectionOnlyItsOwn) {
+  scene.lights[1].toward = glm::normalize(scene.lights[1].toward + vec3(0.1f, 0, 0));
+  renderer->render(scene, 1);
+  EXPECT_EQ(renderer->stats().map_builds, builds + 1);
+  scene.media[0].density_scale *= 1.1f;
+  renderer->render(scene, 1);
+  EXPECT_EQ(renderer->stats().map_builds, builds + 1 + std::int64_t(scene.lights.size()));
+  EXPECT_EQ(renderer->stats().volume_uploads, uploads);
+}
+
+TEST_F(Edits, TheSamePictureComesBackToTheBitAfterAnEditIsTakenBack) {
+  SceneSnapshot edited = scene;
+  edited.quality = shipped_preset("high");
+  renderer->render(edited, 1);
+  const Frame again = renderer->render(scene, 1);
+  EXPECT_EQ(largest_difference(before, again), 0.0);
+}
+
+TEST_F(Edits, ACancelledPictureLeavesTheRendererAbleToMakeTheNext) {
+  scene.lights[0].toward = glm::normalize(scene.lights[0].toward + vec3(0.2f, 0, 0));
+  int asked = 0;
+  EXPECT_THROW(renderer->render(scene, 4, [&](double) { return ++asked < 3; }), RenderCancelled);
+  const Frame whole = renderer->render(scene, 1);
+  const Frame fresh = make_gl_renderer()->render(scene, 1);
+  EXPECT_EQ(largest_difference(whole, fresh), 0.0);
+}
+
+}  // namespace
+}  // namespace plinian::test
