@@ -24,7 +24,7 @@ class Explosion final : public BillowShape {
                  scale);
 
     warp_wavelength = 0.027f;
-    hull_reach = 0.04f;
+    hull_reach = 0.085f;  // heat reaches 1.5 skins out
     surface_reach = std::max(0.01f, edge(1.0f / static_cast<float>(settings.resolution)));
     solid_depth = 0.06f;
   }
@@ -44,7 +44,7 @@ class Explosion final : public BillowShape {
       const vec3 design = fit_.design_from_object(p);
       const float torn = fractal_noise(p * 5.0f, 3, 0.55f, settings_.seed + 51);
       const float belly = smooth_step(0.75f, 0.25f, design.y);
-      const float skin = std::max(0.006f, 0.022f + 0.022f * belly + 0.06f * torn);
+      const float skin = std::clamp(0.022f + 0.022f * belly + 0.06f * torn, 0.006f, 0.055f);
       const float depth = smooth_step(1.5f, -0.3f, field.hull[i] / skin);
       const float away = glm::length(design - vec3(0.5f, design.y, 0.5f));  // from the stem's axis
       const float dust = smooth_step(0.15f, 0.08f, design.y) * smooth_step(0.06f, 0.11f, away);

@@ -86,7 +86,7 @@ const Kind kinds[] = {
      procedural::make_explosion,
      explosion_parameters,
      55.0f,
-     {0.42f, 0.39f, 0.36f},
+     {0.32f, 0.29f, 0.26f},
      {PhaseKind::two_lobe, 0.35f, -0.2f, 0.5f},
      4.0f},
 };
