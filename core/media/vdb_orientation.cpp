@@ -68,10 +68,10 @@ VdbOrientation guess_orientation(const std::map<std::string, std::string>& file,
     if (grid.metadata.contains("_bifrost_volume_index")) {
       guess.up_axis = 'y';
       guess.up_assumed = false;
-      guess.reason = "y is up, as in Bifrost (by its metadata); that a unit is 1 m is assumed";
+      guess.reason = "y is up, as in Bifrost (by its metadata), and a unit is 1 m, which is assumed";
       return guess;
     }
-  guess.reason = "that y is up and a unit is 1 m is assumed; nothing in the file says";
+  guess.reason = "y is up and a unit is 1 m, both assumed: nothing in the file says";
   return guess;
 }
 

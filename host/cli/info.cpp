@@ -205,6 +205,8 @@ int run_info(const InfoArguments& arguments) {
   }
   print(arguments.json ? vdb_json(info).dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n"
                        : vdb_text(info));
+  for (const VdbGridInfo& grid : info.grids)
+    if (!grid.error.empty()) throw VdbError(arguments.file + ": " + grid.error);
   return exit_success;
 }
 

@@ -74,6 +74,18 @@ TEST_F(RealFiles, ATruncatedFileIsOneLineAndALimitNamesItsOption) {
   EXPECT_SAYS(error_for("smoke.vdb", {"--vdb-time-limit", "0.001"}), "--vdb-time-limit");
 }
 
+TEST_F(RealFiles, ADamagedGridIsAnErrorBesideTheListOfThoseThatAreWhole) {
+  std::ifstream whole(file("densityAndHeat.vdb"), std::ios::binary);
+  std::string bytes((std::istreambuf_iterator<char>(whole)), {});
+  bytes.replace(20000, 400, 400, '\xff');
+  const std::string damaged = folder_.write("damaged.vdb", bytes);
+  const Ended ended = run({"info", damaged});
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_EQ(ended.error_lines(), 1) << ended.err;
+  EXPECT_SAYS(ended.err, "damaged.vdb: the file is damaged: grid \"density\"");
+  EXPECT_SAYS(ended.out, "heat");
+}
+
 TEST_F(RealFiles, AnEmptyGridIsASanePictureAndAWarning) {
   const Ended ended =
       run({"render", file("smoke_000001.vdb"), "-o", "a.exr", "--renderer", "reference", "--size", "16x16"});
