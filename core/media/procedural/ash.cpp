@@ -61,7 +61,7 @@ class Ash final : public BillowShape {
       const vec3 p = fit_.design_from_object(object);
       if (field.hull[i] > 0.0f && density[i] < 0.1f)
         density[i] = std::max(density[i], veil(object, p, field.hull[i]));
-      if (density[i] > 0.0f && p.y < 0.44f) hot |= heat(p, field.hull[i], temperature[i]);
+      if (density[i] > 0.0f && p.y < 0.36f) hot |= heat(p, field.hull[i], temperature[i]);
     }
     return hot;
   }
@@ -110,8 +110,8 @@ class Ash final : public BillowShape {
     const float away = std::sqrt(from_axis.x * from_axis.x + from_axis.z * from_axis.z);
     const float skin = 0.006f + 0.03f * p.y;
     const float crevice = smooth_step(1.2f, -0.4f, hull / skin);
-    const float low = smooth_step(0.44f, 0.02f, p.y) * smooth_step(0.12f, 0.04f, away - 0.25f * p.y);
-    const float value = settings_.heat * 1850.0f * std::sqrt(low) * (0.2f + 0.8f * crevice);
+    const float low = smooth_step(0.36f, 0.02f, p.y) * smooth_step(0.095f, 0.035f, away - 0.25f * p.y);
+    const float value = settings_.heat * 1900.0f * std::sqrt(low) * (0.2f + 0.8f * crevice);
     if (value < 500.0f) return false;  // glows no more
     kelvin = value;
     return true;

@@ -62,7 +62,7 @@ const Kind kinds[] = {
      procedural::make_ash,
      ash_parameters,
      68.0f,
-     {0.66f, 0.59f, 0.51f},
+     {0.62f, 0.55f, 0.475f},
      {PhaseKind::two_lobe, 0.35f, -0.2f, 0.5f},
      6.0f},
     {"cloud",

@@ -235,7 +235,8 @@ TEST(Ash, GlowsInTheLowerPartOnly) {
 TEST(Ash, TakesMemoryByItsSurfaceAndVolumeNotByTheCube) {
   const auto volume = make_procedural({"ash", 128});
   EXPECT_LT(volume->leaf_count, 16 * 16 * 16 / 3);
-  EXPECT_LT(double(volume->bytes()), 1.8 * 512 * 2 * double(volume->leaf_count));
+  // On the GPU the atlas adds what its edge wastes; all of it together may take 1.8.
+  EXPECT_LT(double(volume->bytes()), 1.72 * 512 * 2 * double(volume->leaf_count));
 }
 
 TEST(Voxelise, LooksAtFewBlocksThatTurnOutEmptyAndAtFewLobesForEach) {
