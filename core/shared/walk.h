@@ -211,6 +211,8 @@ PLN_FN void walk_advance(PLN_SCENE, PLN_INOUT(Walk) walk, float step) {
   float spacing = max(step * walk.per_step, 1e-6f * walk.t_b);
   walk.t = max(walk.t_b, walk.comb + floor((leap - walk.comb) / spacing) * spacing);
   walk.comb += floor((walk.t - walk.comb) / spacing + 1e-3f) * spacing;
+  // Where a step is a few roundings of t, the quotient may fall short by one: a walk always moves on.
+  walk.comb += walk.comb + spacing <= walk.t ? spacing : 0.0f;
   walk.t_b = min(walk.comb + spacing, walk.t_end);
   if (ANALYTIC_MEDIA || SEVERAL_MEDIA) {
     // A segment ends where a medium begins or ends.
