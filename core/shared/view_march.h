@@ -184,7 +184,7 @@ PLN_FN ViewResult march_view(PLN_SCENE, vec3 origin, vec3 direction, float t_nea
     // The quantum: equal shares of opacity, but the last would reach to infinite depth, so towards the end
     // they shrink with what is left. One always ends where alpha passes 0.5: that is the depth.
     float target = max(seen_mean - controls.quantum, 0.25f * seen_mean);
-    if (seen_mean > 0.5f) target = max(target, 0.5f);
+    if (result.depth > 1e29f) target = max(target, 0.5f);
     // A lookup at a jittered place splits it in two.
     float shading_t = -1.0f;
     float tau_target = log(seen_mean / target);
@@ -208,14 +208,16 @@ PLN_FN ViewResult march_view(PLN_SCENE, vec3 origin, vec3 direction, float t_nea
       }
       float rest = walk.t_b - walk.t;
       float gain = 0.5f * (guide_a + guide_b) * rest;
-      bool reached = tau + gain >= tau_stop;
+      // Decided once: tau + (tau_stop - tau) may round to less than tau_stop, and the rest of the segment
+      // would be lost.
+      bool stopped = tau + gain >= tau_stop;
       float piece = rest;
-      while (reached) {
+      bool cut = stopped;
+      while (cut) {
         piece = length_to_optical_depth(guide_a, guide_b, rest, tau_stop - tau);
         gain = tau_stop - tau;
-        reached = false;
+        cut = false;
       }
-      bool stopped = tau + gain >= tau_stop;
       float share = rest > 0.0f ? piece / rest : 1.0f;
       float matter_here = 0.0f;
       FOR_MEDIA matter_here += walk.a[m] + walk.b[m];
@@ -251,7 +253,8 @@ PLN_FN ViewResult march_view(PLN_SCENE, vec3 origin, vec3 direction, float t_nea
     }
     seen = seen * exp(-spectral_tau);
     seen_mean = spectrum_mean(seen);
-    if (full && seen_mean <= 0.5f && result.depth > 1e29f) result.depth = walk.t;
+    // With some slack: rounding must not leave a quantum of nothing before the depth.
+    if (full && seen_mean <= 0.50005f && result.depth > 1e29f) result.depth = walk.t;
     bool shades = matter > 0.0f;
     while (shades) {
       // The centre of the quantum's opacity lies in front of that of its optical depth.

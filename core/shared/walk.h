@@ -17,7 +17,7 @@ struct LocalRay {
   vec3 inverse;   // 1 / direction, finite
   float t_enter;  // interval in which the medium may have density; enter > leave where it is missed
   float t_leave;
-  float per_step;  // [world] length of a step of one voxel, or 1/64 of an analytic shape's chord
+  float per_step;  // [world] length of a step of one voxel; 1e30 where density is constant
 };
 
 struct Walk {
@@ -81,7 +81,8 @@ PLN_FN LocalRay local_ray(PLN_SCENE, int m, vec3 origin, vec3 direction, float t
       ray.t_enter = max(-b - half_chord, t_near);
       ray.t_leave = discriminant > 0.0f ? -b + half_chord : -1.0f;
     }
-    if (MEDIUM(m).shape != shape_voxels) ray.per_step = max((ray.t_leave - ray.t_enter) / 64.0f, 1e-18f);
+    // One segment holds all of a homogeneous medium.
+    if (MEDIUM(m).shape != shape_voxels) ray.per_step = 1e30f;
   }
   if (MEDIUM(m).shape == shape_voxels) ray.origin = ray.origin - vec3(MEDIUM(m).root_origin);
   return ray;
@@ -171,6 +172,7 @@ PLN_FN Walk walk_begin(PLN_SCENE, vec3 origin, vec3 direction, float t_near, flo
       inside = false;
     }
   }
+  walk.per_step = min(walk.per_step, max(walk.t_end - walk.t, 1e-18f));
   walk.t_b = walk.t;
   walk.comb = walk.t - lead * walk.per_step;
   return walk;
@@ -207,10 +209,10 @@ PLN_FN void walk_advance(PLN_SCENE, PLN_INOUT(Walk) walk, float step) {
     walk.a[m] = walk.b[m];
     leap = min(leap, walk.empty_until[m]);
   }
-  // Far from the camera a step must not drown in rounding.
-  float spacing = max(step * walk.per_step, 1e-6f * walk.t_b);
+  // Far from the camera a step must not drown in rounding: the slack below stands well above it.
+  float spacing = max(step * walk.per_step, 2e-5f * walk.t_b);
   walk.t = max(walk.t_b, walk.comb + floor((leap - walk.comb) / spacing) * spacing);
-  walk.comb += floor((walk.t - walk.comb) / spacing + 1e-3f) * spacing;
+  walk.comb += floor((walk.t - walk.comb) / spacing + 0.02f) * spacing;
   // Where a step is a few roundings of t, the quotient may fall short by one: a walk always moves on.
   walk.comb += walk.comb + spacing <= walk.t ? spacing : 0.0f;
   walk.t_b = min(walk.comb + spacing, walk.t_end);

@@ -21,7 +21,6 @@ Frame limit_of(SceneSnapshot scene) {
 
 // Known gap: ash rests at 54.5 dB of the limit, and its mean falls by 3% on the way from the first pass.
 void expect_convergence(const SceneSnapshot& scene) {
-  GTEST_SKIP() << "known gap: 54.5 dB, and the mean radiance shifts by 3% between the passes";
   const Frame limit = limit_of(scene);
   const auto renderer = make_gl_renderer();
   const Frame first = renderer->render(scene, 1);
