@@ -24,13 +24,6 @@ struct EncodeControls {
   int refine_steps;
 };
 
-/// Extinction of the group's reference channel for stored densities [1/world].
-PLN_FN float group_extinction(PLN_SCENE, float density[MEDIA_CAPACITY]) {
-  float sigma = 0.0f;
-  FOR_MEDIA sigma += density[m] * MEDIUM(m).sigma_group;
-  return sigma;
-}
-
 /// Length along a segment of linear extinction at which `tau` is gathered. sigma_a, sigma_b [1/world] at its
 /// ends, dt [world] its length; tau [-] at most the optical depth of the segment. Returns [world] in [0, dt].
 PLN_FN float length_to_optical_depth(float sigma_a, float sigma_b, float dt, float tau) {
@@ -66,8 +59,12 @@ PLN_FN LightBounds detect_bounds(PLN_SCENE, vec3 origin, vec3 direction, int gro
     alive = walk.t_b < walk.t_end;
     if (alive) {
       walk_advance(scene, walk, controls.step);
-      float sigma_a = group_extinction(scene, walk.a);
-      float sigma_b = group_extinction(scene, walk.b);
+      float sigma_a = 0.0f;  // [1/world] of the group's reference channel
+      float sigma_b = 0.0f;
+      FOR_MEDIA {
+        sigma_a += walk.a[m] * MEDIUM(m).sigma_group;
+        sigma_b += walk.b[m] * MEDIUM(m).sigma_group;
+      }
       float dt = walk.t_b - walk.t;
       float gain = 0.5f * (sigma_a + sigma_b) * dt;
       if (!begun && tau + gain > tau_first) {
@@ -127,8 +124,12 @@ PLN_FN uint encode_texel(PLN_SCENE, vec3 origin, vec3 direction, int group, floa
     alive = walk.t_b < min(walk.t_end, k_max);
     if (alive) {
       walk_advance(scene, walk, controls.step);
-      float sigma_a = group_extinction(scene, walk.a);
-      float sigma_b = group_extinction(scene, walk.b);
+      float sigma_a = 0.0f;  // [1/world] of the group's reference channel
+      float sigma_b = 0.0f;
+      FOR_MEDIA {
+        sigma_a += walk.a[m] * MEDIUM(m).sigma_group;
+        sigma_b += walk.b[m] * MEDIUM(m).sigma_group;
+      }
       float dt = walk.t_b - walk.t;
       float slope = (sigma_b - sigma_a) / max(dt, 1e-30f);
       // The part of the segment inside the bounds, in pieces short enough for a straight line. Extinction is

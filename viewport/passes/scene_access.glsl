@@ -59,11 +59,20 @@ bvec3 spectrum_less(vec3 s, float limit) { return lessThan(s, vec3(limit)); }
 
 float sigma_guide(int scene, int m) { return spectrum_mean(spectrum_of(u_media[m].sigma_t)); }
 
-uvec2 root_entry(int scene, int m, ivec3 cell) { return texelFetch(u_root[m], cell, 0).xy; }
+// OF_MEDIUM(fetch) is `m == 0 ? fetch(0) : ...` (see scene_blocks.cpp): samplers are named by constants, because an
+// index that varies must be the same for all invocations, and makes llvmpipe mix up every sampler of the program.
+uvec2 root_entry(int scene, int m, ivec3 cell) {
+#define FETCH(i) texelFetch(u_root[i], cell, 0).xy
+  return OF_MEDIUM(FETCH);
+#undef FETCH
+}
 
 // Nodes lie in a square of 16 x 16, layer upon layer (see volume_textures.cpp).
 uvec2 node_entry(int scene, int m, uint node, ivec3 child) {
-  return texelFetch(u_nodes[m], ivec3(int(node & 15u), int((node >> 4) & 15u), int(node >> 8)) * 8 + child, 0).xy;
+  ivec3 place = ivec3(int(node & 15u), int((node >> 4) & 15u), int(node >> 8)) * 8 + child;
+#define FETCH(i) texelFetch(u_nodes[i], place, 0).xy
+  return OF_MEDIUM(FETCH);
+#undef FETCH
 }
 
 // On the GPU a brick is named by its place in the atlas, 10 bits an axis: integer division would cost more than the
@@ -76,14 +85,20 @@ vec3 brick_place(uint brick) {
 float entry_scale(uvec2 entry) { return uintBitsToFloat(entry.y); }
 
 float brick_density(int scene, int m, uint brick, vec3 local) {
-  return textureLod(u_density[m], (brick_place(brick) + local + 0.5) * u_media[m].atlas_scale, 0.0).x;
+  vec3 place = (brick_place(brick) + local + 0.5) * u_media[m].atlas_scale;
+#define FETCH(i) textureLod(u_density[i], place, 0.0).x
+  return OF_MEDIUM(FETCH);
+#undef FETCH
 }
 
 // Hot bricks come first; the layers behind them hold no temperature.
 float brick_temperature(int scene, int m, uint brick, vec3 local) {
   if (int(brick >> 20) >= u_media[m].hot_layers) return 0.0;
-  vec3 scale = vec3(u_media[m].atlas_scale.x, u_media[m].atlas_scale.y, 1.0 / float(9 * u_media[m].hot_layers));
-  return textureLod(u_temperature[m], (brick_place(brick) + local + 0.5) * scale, 0.0).x;
+  vec3 hot_scale = vec3(u_media[m].atlas_scale.x, u_media[m].atlas_scale.y, 1.0 / float(9 * u_media[m].hot_layers));
+  vec3 place = (brick_place(brick) + local + 0.5) * hot_scale;
+#define FETCH(i) textureLod(u_temperature[i], place, 0.0).x
+  return OF_MEDIUM(FETCH);
+#undef FETCH
 }
 
 vec3 blackbody(int scene, float kelvin) {

@@ -8,6 +8,17 @@
 #include "core/media/blackbody.h"
 
 namespace plinian::passes {
+namespace {
+
+/// Chooses fetch(m) among fetch(0) to fetch(count - 1).
+std::string choice_of_medium(std::size_t count) {
+  std::string text;
+  for (std::size_t m = 0; m + 1 < count; ++m)
+    text += "m == " + std::to_string(m) + " ? fetch(" + std::to_string(m) + ") : ";
+  return text + "fetch(" + std::to_string(count - 1) + ")";
+}
+
+}  // namespace
 
 SceneBlocks::SceneBlocks()
     : media_(gl::make_buffer(sizeof(MediumData) * max_media, nullptr)),
@@ -37,6 +48,7 @@ void SceneBlocks::update(const FlatScene& scene, const std::vector<const VolumeT
   if (!scene.maps.empty()) gl::update_buffer(maps_, scene.maps.size() * sizeof(MapData), scene.maps.data());
   const auto flag = [](bool on) { return std::string(on ? "true" : "false"); };
   defines_ = {{"MEDIA_COUNT", std::to_string(scene.media.size())},
+              {"OF_MEDIUM(fetch)", choice_of_medium(scene.media.size())},
               {"LIGHT_COUNT", std::to_string(scene.lights.size())},
               {"GROUP_COUNT", std::to_string(scene.group_count)},
               {"MAP_RESOLUTION", std::to_string(scene.layout.resolution)},
