@@ -136,7 +136,9 @@ FlatScene flatten(const SceneSnapshot& scene) {
         }
     }
     flat.lights.push_back(data);
+    flat.varied_light = flat.varied_light || light.type != LightType::directional;
   }
+  flat.varied_light = flat.varied_light || flat.analytic;
   flat.encode.coefficients = quality.coefficients;
   flat.encode.adaptive = quality.encoding == Encoding::atfm;
   flat.encode.veil_proof = quality.kmin_rule == KminRule::veil_proof;
@@ -215,6 +217,7 @@ MarchViews view_of(const FlatScene& flat, const uvec4* texels) {
                  texels,
                  flat.layout,
                  flat.group_count,
+                 flat.varied_light,
                  flat.view.light == LightLookup::march,
                  flat.view.march_step,
                  flat.view.march_depth};

@@ -31,6 +31,7 @@ struct FlatScene {
   bool grey = true;       // every medium's extinction is the same in all channels
   bool analytic = false;  // a box or a sphere is among the media
   bool emissive = false;
+  bool varied_light = false;  // hazes or lamps: light varies along a ray where little opacity is gained
   shared::EncodeControls encode{};
   MapLayout layout;
   FlatView view{};

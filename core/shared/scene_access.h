@@ -36,6 +36,7 @@ struct MarchScene {
   const uvec4* texels = nullptr;  // layer, row, column, then words_per_texel / 4 each
   MapLayout layout;
   int group_count = 0;
+  bool varied_light = false;    // see FlatScene
   bool light_march = false;     // light is marched to every shading point instead of read from maps
   float light_march_step = 1;   // [voxels]
   float light_march_depth = 5;  // [-] optical depth at which it ends
@@ -123,6 +124,7 @@ inline float sigma_guide(const MarchScene& scene, int m) {
 #define SEVERAL_MEDIA true
 #define DEEP_TREES true
 #define EMISSIVE_MEDIA true
+#define VARIED_LIGHT scene.varied_light
 #define LIGHT_MARCH scene.light_march
 #define LIGHT_MARCH_STEP scene.light_march_step
 #define LIGHT_MARCH_DEPTH scene.light_march_depth

@@ -177,6 +177,8 @@ PLN_FN ViewResult march_view(PLN_SCENE, vec3 origin, vec3 direction, float t_nea
   FOR_MEDIA guide_sigma[m] = sigma_guide(scene, m);
 
   Walk walk = walk_begin(scene, origin, direction, t_near, controls.lead, -1);
+  // In a haze, light varies where little opacity is gained: there a quantum ends after some length, too.
+  float longest = 0.5f * controls.quantum * (walk.t_end - walk.t);
   Spectrum seen = Spectrum(1.0f);  // transmittance up to walk.t
   float seen_mean = 1.0f;
   bool alive = walk.t_end > walk.t;
@@ -218,10 +220,20 @@ PLN_FN ViewResult march_view(PLN_SCENE, vec3 origin, vec3 direction, float t_nea
         gain = tau_stop - tau;
         cut = false;
       }
-      float share = rest > 0.0f ? piece / rest : 1.0f;
       float matter_here = 0.0f;
       FOR_MEDIA matter_here += walk.a[m] + walk.b[m];
       if (matter_here > 0.0f) begin = min(begin, walk.t);
+      bool long_enough = false;
+      if (VARIED_LIGHT) {
+        float room = max(begin + longest - walk.t, 0.0f);
+        if (piece > room) {
+          piece = room;
+          gain = (guide_a + 0.5f * (guide_b - guide_a) * piece / rest) * piece;
+          stopped = false;
+          long_enough = true;
+        }
+      }
+      float share = rest > 0.0f ? piece / rest : 1.0f;
       tau += gain;
       moment += gain * (walk.t + 0.5f * piece);
       FOR_MEDIA {
@@ -235,6 +247,10 @@ PLN_FN ViewResult march_view(PLN_SCENE, vec3 origin, vec3 direction, float t_nea
         if (!full) shading_t = walk.t;
         tau_stop = tau_target;
         gathering = !full;
+      } else if (long_enough) {
+        full = true;
+        gathering = false;
+        if (controls.jitter >= 0.0f && shading_t < 0.0f) shading_t = mix(begin, walk.t, controls.jitter);
       } else {
         alive = walk.t_b < walk.t_end;
         gathering = alive;

@@ -57,6 +57,7 @@ void SceneBlocks::update(const FlatScene& scene, const std::vector<const VolumeT
               {"GREY_EXTINCTION", flag(scene.grey)},
               {"ANALYTIC_MEDIA", flag(scene.analytic)},
               {"EMISSIVE_MEDIA", flag(scene.emissive)},
+              {"VARIED_LIGHT", flag(scene.varied_light)},
               {"SEVERAL_MEDIA", flag(scene.media.size() > 1)},
               {"DEEP_TREES", flag(deep)},
               {"LIGHT_MARCH", flag(scene.view.light == LightLookup::march)},
