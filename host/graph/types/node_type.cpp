@@ -1,0 +1,54 @@
+// Node types.
+#include "host/graph/types/node_type.h"
+
+#include "host/graph/graph_error.h"
+
+namespace plinian::graph {
+
+NodeType::NodeType(NodeTypeSpec spec) : spec_(std::move(spec)) {
+  const auto wrong = [&](const std::string& why) {
+    throw GraphError("node type '" + spec_.name + "': " + why);
+  };
+  if (!is_identifier(spec_.name)) wrong("a name is made of letters, digits and _");
+  if (spec_.version < 1) wrong("versions count from 1");
+  if (spec_.holds_children && !spec_.hierarchical) wrong("a parent must have a place in the hierarchy");
+  try {
+    schema_ = std::make_shared<const Schema>(spec_.attributes);
+  } catch (const GraphError& error) {
+    wrong(error.what());
+  }
+  if (!spec_.compute && !schema_->outputs().empty()) wrong("has outputs but computes nothing");
+  for (const AttributeAlias& alias : spec_.aliases) {
+    if (schema_->find(alias.path) == no_attribute)
+      wrong("the alias '" + alias.old_path + "' names no attribute");
+    if (schema_->find(alias.old_path) != no_attribute)
+      wrong("the alias '" + alias.old_path + "' is an attribute");
+  }
+  for (const Migrator& migrator : spec_.migrators)
+    if (migrator.from < 1 || migrator.from >= spec_.version || !migrator.migrate)
+      wrong("a migrator must lead from an older version");
+  spec_.attributes.clear();  // the schema holds them
+}
+
+std::shared_ptr<const NodeType> NodeType::unknown(std::string name, int version) {
+  const std::shared_ptr<NodeType> type(new NodeType);
+  type->spec_.name = std::move(name);
+  type->spec_.version = version;
+  // Nothing is known against it.
+  type->spec_.hierarchical = type->spec_.holds_children = true;
+  type->schema_ = std::make_shared<const Schema>();
+  type->unknown_ = true;
+  return type;
+}
+
+std::string NodeType::current_path(std::string_view path) const {
+  for (const AttributeAlias& alias : spec_.aliases) {
+    if (path == alias.old_path) return alias.path;
+    if (path.starts_with(alias.old_path) &&
+        (path[alias.old_path.size()] == '[' || path[alias.old_path.size()] == '.'))
+      return alias.path + std::string(path.substr(alias.old_path.size()));
+  }
+  return std::string(path);
+}
+
+}  // namespace plinian::graph

@@ -1,0 +1,41 @@
+// Registered node types.
+#include "host/graph/types/type_registry.h"
+
+#include "core/scene/nearest_word.h"
+#include "host/graph/graph_error.h"
+
+namespace plinian::graph {
+
+NodeTypePtr TypeRegistry::add(NodeTypeSpec spec) {
+  if (const NodeTypePtr other = find(spec.name)) {
+    const std::string& plugin = other->spec().plugin;
+    throw GraphError("node type '" + spec.name + "' is already registered" +
+                     (plugin.empty() ? "" : " by the plug-in '" + plugin + "'"));
+  }
+  auto type = std::make_shared<const NodeType>(std::move(spec));
+  types_.emplace(type->name(), type);
+  return type;
+}
+
+void TypeRegistry::remove(std::string_view name) {
+  const auto found = types_.find(name);
+  if (found != types_.end()) types_.erase(found);
+}
+
+NodeTypePtr TypeRegistry::find(std::string_view name) const {
+  const auto found = types_.find(name);
+  return found == types_.end() ? nullptr : found->second;
+}
+
+NodeTypePtr TypeRegistry::get(std::string_view name) const {
+  if (const NodeTypePtr type = find(name)) return type;
+  throw GraphError("unknown node type '" + std::string(name) + "'" + did_you_mean(name, names()));
+}
+
+std::vector<std::string> TypeRegistry::names() const {
+  std::vector<std::string> result;
+  for (const auto& [name, type] : types_) result.push_back(name);
+  return result;
+}
+
+}  // namespace plinian::graph

@@ -1,0 +1,45 @@
+#include "host/graph/types/type_registry.h"
+
+#include "tests/host/graph/message_of.h"
+
+namespace plinian::graph {
+namespace {
+
+TEST(TypeRegistry, FindsTypesAndNamesTheNearestForAMistypedOne) {
+  TypeRegistry registry;
+  registry.add({.name = "transform", .attributes = {{.name = "visibility", .type = AttributeType::boolean}}});
+  EXPECT_NE(registry.find("transform"), nullptr);
+  EXPECT_EQ(registry.find("camera"), nullptr);
+  EXPECT_EQ(message_of([&] { registry.get("trasform"); }),
+            "unknown node type 'trasform' (did you mean 'transform'?)");
+  EXPECT_EQ(message_of([&] { registry.add({.name = "transform", .plugin = "other"}); }),
+            "node type 'transform' is already registered");
+  registry.remove("transform");
+  EXPECT_EQ(registry.find("transform"), nullptr);
+}
+
+TEST(TypeRegistry, RefusesTypesThatContradictThemselves) {
+  TypeRegistry registry;
+  EXPECT_EQ(message_of([&] { registry.add({.name = "n", .attributes = {{.name = "o", .output = true}}}); }),
+            "node type 'n': has outputs but computes nothing");
+  EXPECT_EQ(message_of([&] {
+              registry.add({.name = "n", .aliases = {{"old", "gone"}}});
+            }),
+            "node type 'n': the alias 'old' names no attribute");
+  EXPECT_EQ(message_of([&] {
+              registry.add({.name = "n", .version = 2, .migrators = {{2, nullptr}}});
+            }),
+            "node type 'n': a migrator must lead from an older version");
+  EXPECT_TRUE(registry.names().empty());
+}
+
+TEST(TypeRegistry, AnAliasStandsForAnAttributeAndAllInIt) {
+  const NodeType type(
+      {.name = "n", .attributes = {{.name = "weights", .array = true}}, .aliases = {{"w", "weights"}}});
+  EXPECT_EQ(type.current_path("w"), "weights");
+  EXPECT_EQ(type.current_path("w[3]"), "weights[3]");
+  EXPECT_EQ(type.current_path("wide"), "wide");
+}
+
+}  // namespace
+}  // namespace plinian::graph
