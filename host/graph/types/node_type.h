@@ -43,6 +43,7 @@ struct NodeTypeSpec {
   bool concurrent = true;       // compute may run on several threads at a time
   bool hierarchical = false;    // has a place in the transform hierarchy
   bool holds_children = false;  // ... and may be a parent in it
+  bool follows = false;         // deleted with the last node that it drives, as an animation curve is
   std::vector<Migrator> migrators;
   std::vector<AttributeAlias> aliases;
   std::string plugin, plugin_version;  // who registers it; empty: the program itself

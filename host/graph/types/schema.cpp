@@ -137,6 +137,12 @@ Schema Schema::without_last_dynamic() const {
   return result;
 }
 
+AttributeSpec Schema::declaration(AttributeIndex index) const {
+  AttributeSpec spec = (*this)[index].spec;
+  for (const AttributeIndex child : (*this)[index].children) spec.children.push_back(declaration(child));
+  return spec;
+}
+
 AttributeIndex Schema::find(std::string_view path) const {
   const auto found = by_path_.find(path);
   return found == by_path_.end() ? no_attribute : found->second;

@@ -48,6 +48,8 @@ class Schema {
   std::vector<std::string> paths() const;
   /// Attributes that stand at the top, in order of declaration.
   std::span<const AttributeIndex> top() const { return top_; }
+  /// The attribute as it would be declared, children and all.
+  AttributeSpec declaration(AttributeIndex index) const;
   /// The attribute itself, or what a compound holds at the bottom, in order of declaration.
   std::vector<AttributeIndex> leaves(AttributeIndex index) const;
   /// Computed attributes, without compounds.

@@ -1,0 +1,76 @@
+// The edits that everything done to a graph is made of. Each can be undone by another of them.
+//
+// They hold identifiers and values, never pointers into the graph, so that a step of undo is good for as long
+// as the scene is open.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "host/graph/model/node.h"
+
+namespace plinian::graph {
+
+/// Puts a node in place that has neither connections nor children.
+struct AddNode {
+  NodePtr node;
+};
+/// Takes away a node that has neither connections nor children.
+struct RemoveNode {
+  NodeId node;
+};
+struct RenameNode {
+  NodeId node;
+  std::string name;
+};
+/// Stores a value, or forgets the one that is stored.
+struct SetValue {
+  Plug plug;
+  std::optional<Value> value;
+};
+/// Makes, replaces or breaks the connection into a plug.
+struct SetInput {
+  Plug destination;
+  std::optional<Plug> source;
+};
+struct SetLock {
+  Plug plug;
+  bool locked = true;
+};
+struct AddAttribute {
+  NodeId node;
+  std::shared_ptr<const AttributeSpec> spec;
+};
+/// Takes away the attribute that was added last.
+struct RemoveAttribute {
+  NodeId node;
+};
+struct SetParent {
+  NodeId node, parent;
+};
+struct SetSelection {
+  std::vector<NodeId> nodes;  // in the order of selection
+};
+/// What a scene file says of a type beyond what is known of it here.
+struct KeptType {
+  int version = 1;
+  std::string requirement;         // "NAME VERSION" of the plug-in; may be empty
+  std::vector<std::string> lines;  // of the type's section, word for word
+};
+struct SetKeptType {
+  std::string type;
+  std::optional<KeptType> kept;
+};
+
+using Edit = std::variant<AddNode, RemoveNode, RenameNode, SetValue, SetInput, SetLock, AddAttribute,
+                          RemoveAttribute, SetParent, SetSelection, SetKeptType>;
+
+/// Whether the edit changes what a scene file would hold. A selection does not.
+inline bool changes_scene(const Edit& edit) {
+  return !std::holds_alternative<SetSelection>(edit);
+}
+
+}  // namespace plinian::graph

@@ -1,0 +1,165 @@
+// Editing nodes and the hierarchy. editor_attributes.cpp holds values and connections.
+#include "host/graph/edits/editor.h"
+
+#include <algorithm>
+#include <set>
+#include <unordered_map>
+
+#include "host/graph/graph_error.h"
+#include "host/graph/model/hierarchy.h"
+
+namespace plinian::graph {
+
+bool is_node_name(std::string_view name) {
+  while (true) {
+    const std::size_t colon = name.find(':');
+    if (!is_identifier(name.substr(0, colon))) return false;
+    if (colon == name.npos) return true;
+    name.remove_prefix(colon + 1);
+  }
+}
+
+namespace {
+
+void check_name(const std::string& name) {
+  if (!is_node_name(name))
+    throw GraphError("'" + name + "' cannot name a node: letters, digits and _, with ':' after a namespace");
+}
+
+void check_parent(const Graph& graph, const NodeType& type, const std::string& name, NodeId parent) {
+  if (!parent) return;
+  if (!type.spec().hierarchical)
+    throw GraphError(name + " (" + type.name() + ") has no place in the transform hierarchy");
+  const Node& above = *graph.find(parent);
+  if (!above.type->spec().holds_children)
+    throw GraphError(above.name + " (" + above.type->name() + ") cannot be a parent: only transforms can");
+}
+
+}  // namespace
+
+NodeId Editor::create_node(const NodeTypePtr& type, const std::string& name, NodeId parent) {
+  Node node;
+  node.type = type;
+  node.schema = type->schema();
+  node.name = name.empty() ? type->name() + "1" : name;
+  node.parent = parent;
+  return add_node(std::move(node));
+}
+
+NodeId Editor::add_node(Node node) {
+  check_name(node.name);
+  check_parent(graph_, *node.type, node.name, node.parent);
+  node.id = graph_.new_id();
+  node.name = graph_.unique_name(node.name);
+  for (Plug& plug : node.locked) plug.node = node.id;
+  const NodeId id = node.id;
+  history_.perform(AddNode{std::make_shared<const Node>(std::move(node))});
+  return id;
+}
+
+void Editor::disconnect_all(NodeId id) {
+  const auto outgoing = graph_.outgoing(id);  // copies: the graph changes meanwhile
+  for (const Connection& connection : outgoing)
+    history_.perform(SetInput{connection.destination, std::nullopt});
+  const auto inputs = graph_.find(id)->inputs;
+  for (auto input = inputs.rbegin(); input != inputs.rend(); ++input)
+    history_.perform(SetInput{{id, input->attribute, input->element, input->component}, std::nullopt});
+}
+
+// Nodes that would be left driving nothing once `doomed` are gone, and that only exist to drive.
+std::vector<NodeId> Editor::followers(const std::vector<NodeId>& doomed) const {
+  std::set<NodeId> gone(doomed.begin(), doomed.end());
+  std::vector<NodeId> result, queue = doomed;
+  while (!queue.empty()) {
+    const NodeId id = queue.back();
+    queue.pop_back();
+    for (const Input& input : graph_.find(id)->inputs) {
+      const NodeId driver = input.source.node;
+      if (gone.contains(driver) || !graph_.find(driver)->type->spec().follows) continue;
+      const auto& outgoing = graph_.outgoing(driver);
+      if (!std::all_of(outgoing.begin(), outgoing.end(),
+                       [&](const Connection& c) { return gone.contains(c.destination.node); }))
+        continue;
+      gone.insert(driver);
+      result.push_back(driver);
+      queue.push_back(driver);
+    }
+  }
+  return result;
+}
+
+void Editor::delete_nodes(const std::vector<NodeId>& nodes) {
+  const History::Scope scope(history_, "delete");
+  std::vector<NodeId> doomed = with_descendants(graph_, nodes);
+  const auto more = followers(doomed);
+  doomed.insert(doomed.end(), more.begin(), more.end());
+  const std::set<NodeId> gone(doomed.begin(), doomed.end());
+  std::vector<NodeId> selected = graph_.selection();
+  if (std::erase_if(selected, [&](NodeId id) { return gone.contains(id); })) select(selected);
+  for (auto id = doomed.rbegin(); id != doomed.rend(); ++id) {  // children before parents
+    disconnect_all(*id);
+    history_.perform(RemoveNode{*id});
+  }
+}
+
+std::string Editor::rename(NodeId id, const std::string& name) {
+  check_name(name);
+  if (graph_.find(id)->name == name) return name;
+  const std::string unique = graph_.unique_name(name);
+  history_.perform(RenameNode{id, unique});
+  return unique;
+}
+
+std::vector<NodeId> Editor::duplicate(const std::vector<NodeId>& nodes, bool with_inputs) {
+  const History::Scope scope(history_, "duplicate");
+  std::unordered_map<NodeId, NodeId> copies;
+  const std::vector<NodeId> originals = with_descendants(graph_, nodes);
+  for (const NodeId id : originals) {
+    Node copy = *graph_.find(id);
+    copy.inputs.clear();
+    if (const auto parent = copies.find(copy.parent); parent != copies.end()) copy.parent = parent->second;
+    copies.emplace(id, add_node(std::move(copy)));
+  }
+  for (const NodeId id : originals) {
+    const auto inputs = graph_.find(id)->inputs;
+    for (const Input& input : inputs) {
+      Plug source = input.source;
+      if (const auto copy = copies.find(source.node); copy != copies.end())
+        source.node = copy->second;
+      else if (!with_inputs)
+        continue;
+      history_.perform(SetInput{{copies.at(id), input.attribute, input.element, input.component}, source});
+    }
+  }
+  std::vector<NodeId> result;
+  for (const NodeId id : nodes) result.push_back(copies.at(id));
+  return result;
+}
+
+void Editor::set_parent(const std::vector<NodeId>& nodes, NodeId parent) {
+  const History::Scope scope(history_, "parent");
+  for (const NodeId id : nodes) {
+    const Node& node = *graph_.find(id);
+    if (!node.type->spec().hierarchical)
+      throw GraphError(node.name + " (" + node.type->name() + ") has no place in the transform hierarchy");
+    check_parent(graph_, *node.type, node.name, parent);
+    if (node.parent == parent) continue;
+    if (parent) {
+      auto chain = ancestors(graph_, parent);
+      chain.insert(chain.begin(), parent);
+      if (const auto above = std::find(chain.begin(), chain.end(), id); above != chain.end()) {
+        std::string way = node.name;
+        for (auto at = std::make_reverse_iterator(above); at != chain.rend(); ++at)
+          way += " -> " + graph_.find(*at)->name;
+        throw GraphError(node.name + " cannot be under itself: " + way);
+      }
+    }
+    history_.perform(SetParent{id, parent});
+  }
+}
+
+void Editor::select(const std::vector<NodeId>& nodes) {
+  if (graph_.selection() != nodes) history_.perform(SetSelection{nodes});
+}
+
+}  // namespace plinian::graph

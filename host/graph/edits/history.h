@@ -1,0 +1,76 @@
+// The one door through which a graph changes, and the undo that comes of it.
+#pragma once
+
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "host/graph/edits/edit.h"
+
+namespace plinian::graph {
+
+class Graph;
+
+class History {
+ public:
+  explicit History(Graph& graph) : graph_(graph) {}
+  History(const History&) = delete;
+  History& operator=(const History&) = delete;
+
+  /// Everything performed while a scope is open is one step of undo; scopes nest, and the outermost names the
+  /// step. A scope that an exception leaves takes back what was done in it.
+  class Scope {
+   public:
+    /// merge_key: where it is not empty and the last step has the same one, both become one step; the edits
+    /// of a drag share a key.
+    explicit Scope(History& history, std::string name, std::string merge_key = "");
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
+    ~Scope();
+    /// Takes back what was done since the scope was opened.
+    void roll_back();
+
+   private:
+    History& history_;
+    std::size_t begin_;  // edits done before
+    int exceptions_;     // in flight when it was opened
+  };
+
+  /// Applies an edit and records how to undo it.
+  void perform(const Edit& edit);
+
+  /// Takes back the last step, or does it again. Returns its name; empty where there is none. Not within a
+  /// scope.
+  std::string undo();
+  std::string redo();
+  /// What undo and redo would take, oldest first and next first.
+  std::vector<std::string> undo_names() const;
+  std::vector<std::string> redo_names() const;
+  /// Ends a drag: the next step stands alone, whatever its merge key.
+  void end_merge() { can_merge_ = false; }
+  /// Forgets all steps, as a new scene does.
+  void clear();
+
+  /// Whether the scene differs from what it was when it was marked as saved.
+  bool is_modified() const { return state() != saved_state_; }
+  void mark_saved() { saved_state_ = state(); }
+
+ private:
+  struct Step {
+    std::string name, merge_key;
+    std::vector<Edit> inverses;  // in the order in which they were done
+    std::uint64_t state = 0;     // number of the state of the scene that the step leads to
+  };
+  std::uint64_t state() const { return undo_.empty() ? first_state_ : undo_.back().state; }
+  void commit();
+  std::vector<Edit> play_back(std::vector<Edit>& inverses, std::size_t begin);
+
+  Graph& graph_;
+  std::deque<Step> undo_, redo_;
+  Step open_;
+  int depth_ = 0;
+  bool can_merge_ = false;
+  std::uint64_t last_state_ = 0, first_state_ = 0, saved_state_ = 0;
+};
+
+}  // namespace plinian::graph

@@ -1,0 +1,145 @@
+// Looks things up in the graph: names, plugs, snapshots. graph_edits.cpp holds what changes it.
+#include "host/graph/model/graph.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "core/scene/nearest_word.h"
+#include "host/graph/graph_error.h"
+
+namespace plinian::graph {
+
+namespace {
+
+constexpr std::string_view axis_letters = "xyzw", colour_letters = "rgba";
+
+std::string_view component_letters(AttributeType type) {
+  return type == AttributeType::colour ? colour_letters : axis_letters;
+}
+
+}  // namespace
+
+Graph::Graph() : nodes_(1), outgoing_(1), children_(1) {}
+
+const Node* Graph::find(std::string_view name) const {
+  const auto found = by_name_.find(std::string(name));
+  return found == by_name_.end() ? nullptr : find(found->second);
+}
+
+const Node& Graph::get(std::string_view name) const {
+  if (const Node* node = find(name)) return *node;
+  std::vector<std::string> known;
+  for (const Node* node : nodes()) known.push_back(node->name);
+  throw GraphError("there is no node '" + std::string(name) + "'" + did_you_mean(name, known));
+}
+
+std::vector<const Node*> Graph::nodes() const {
+  std::vector<const Node*> result;
+  result.reserve(size());
+  for (const auto& node : nodes_)
+    if (node) result.push_back(node.get());
+  return result;
+}
+
+std::string Graph::path_of(const Schema& schema, const Plug& plug) {
+  const SchemaAttribute& attribute = schema[plug.attribute];
+  std::string path = attribute.path;
+  if (plug.element >= 0) {
+    std::string subscript = std::to_string(plug.element);
+    subscript.insert(subscript.begin(), '[');
+    path.insert(schema[attribute.array].path.size(), subscript + ']');
+  }
+  if (plug.component >= 0) {
+    path += '.';
+    path += component_letters(attribute.spec.type)[std::size_t(plug.component)];
+  }
+  return path;
+}
+
+std::string Graph::name_of(const Plug& plug) const {
+  const Node* node = find(plug.node);
+  return node ? node->name + "." + path_of(*node->schema, plug) : "";
+}
+
+Plug Graph::plug(std::string_view name) const {
+  const std::size_t dot = name.find('.');
+  if (dot == name.npos)
+    throw GraphError("'" + std::string(name) + "' names no attribute: write NODE.ATTRIBUTE");
+  return plug(get(name.substr(0, dot)), name.substr(dot + 1));
+}
+
+Plug Graph::plug(const Node& node, std::string_view path) {
+  const Schema& schema = *node.schema;
+  std::string plain = node.type->current_path(path);
+  const auto fail = [&](const std::string& why) -> Plug {
+    throw GraphError(node.name + "." + std::string(path) + ": " + why);
+  };
+  Plug plug{node.id};
+  const std::size_t open = plain.find('['), close = plain.find(']');
+  std::size_t array_length = 0;
+  if (open != plain.npos) {
+    const char* first = plain.data() + open + 1;
+    const char* last = close == plain.npos ? first : plain.data() + close;
+    const auto [end, error] = std::from_chars(first, last, plug.element);
+    if (error != std::errc() || end != last || plug.element < 0 || plug.element > 1'000'000'000)
+      return fail("an element is written [0], [1], ...");
+    array_length = open;
+    plain.erase(open, close - open + 1);
+  }
+  plug.attribute = schema.find(plain);
+  // The last letter may be a component.
+  if (plug.attribute == no_attribute && plain.size() > 2 && plain[plain.size() - 2] == '.') {
+    const AttributeIndex vector = schema.find(plain.substr(0, plain.size() - 2));
+    if (vector != no_attribute) {
+      const AttributeType type = schema[vector].spec.type;
+      const std::size_t component = component_letters(type).find(plain.back());
+      if (component < std::size_t(component_count(type))) {
+        plug.attribute = vector;
+        plug.component = int(component);
+      }
+    }
+  }
+  if (plug.attribute == no_attribute) {
+    const std::string kind =
+        node.type->is_unknown() ? ", whose type " + node.type->name() + " is not known here" : "";
+    throw GraphError("node '" + node.name + "' (" + node.type->name() + ") has no attribute '" + plain + "'" +
+                     did_you_mean(plain, schema.paths()) + kind);
+  }
+  const AttributeIndex array = schema[plug.attribute].array;
+  if (plug.element >= 0 && (array == no_attribute || schema[array].path.size() != array_length))
+    return fail("is no array there");
+  return plug;
+}
+
+NodeNames Graph::names() const {
+  return {[this](NodeId id) {
+            const Node* node = find(id);
+            return node ? node->name : std::string();
+          },
+          [this](std::string_view name) {
+            const Node* node = find(name);
+            return node ? node->id : NodeId();
+          }};
+}
+
+std::string Graph::unique_name(const std::string& wanted) const {
+  if (!by_name_.contains(wanted)) return wanted;
+  std::string base = wanted;
+  while (!base.empty() && base.back() >= '0' && base.back() <= '9') base.pop_back();
+  int& number = next_number_.try_emplace(base, 1).first->second;
+  while (by_name_.contains(base + std::to_string(number))) ++number;
+  return base + std::to_string(number);
+}
+
+GraphSnapshotPtr Graph::snapshot() const {
+  if (!snapshot_ || snapshot_->generation_ != generation_) {
+    const auto snapshot = std::make_shared<GraphSnapshot>();
+    snapshot->nodes_.assign(nodes_.begin(), nodes_.end());
+    snapshot->generation_ = generation_;
+    snapshot_ = snapshot;
+    ++epoch_;
+  }
+  return snapshot_;
+}
+
+}  // namespace plinian::graph
