@@ -20,7 +20,7 @@ struct ReportText {
 std::string compare_report(const Image& a, const Image& reference, const CompareResult& result,
                            const ReportText& text, const ViewSettings& view = parse_view("srgb"));
 
-/// Writes it, whole or not at all. Throws ImageError.
+/// Writes it, whole or not at all. Throws FileError.
 void write_compare_report(const std::string& path, const Image& a, const Image& reference,
                           const CompareResult& result, const ReportText& text,
                           const ViewSettings& view = parse_view("srgb"));

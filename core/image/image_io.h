@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/image/atomic_file.h"
+#include "core/files/atomic_file.h"
 #include "core/image/image.h"
 #include "core/image/view_transform.h"
 
@@ -33,11 +33,12 @@ struct WriteOptions {
 std::vector<std::string> writable_extensions();
 
 /// Everything about an output that can be known before anything is rendered: a known extension, a folder that
-/// exists and takes files, a target that may be replaced, and for a PNG a view that works. Throws ImageError.
+/// exists and takes files, a target that may be replaced, and for a PNG a view that works. Throws ImageError
+/// or FileError.
 void check_output(const std::string& path, const WriteOptions& options = {});
 
 /// Writes a picture by the path's extension, whole or not at all: every channel and all metadata to an EXR;
-/// colour, as seen through the view, and metadata as text to a PNG. Throws ImageError.
+/// colour, as seen through the view, and metadata as text to a PNG. Throws ImageError or FileError.
 void write_image(const std::string& path, const Image& image, const WriteOptions& options = {});
 
 /// A PNG file in memory, as write_image writes it.

@@ -5,8 +5,7 @@
 
 #include <algorithm>
 
-#include "core/image/atomic_file.h"
-#include "core/image/image.h"
+#include "core/files/atomic_file.h"
 #include "core/media/brick_walk.h"
 #include "core/media/vdb_protocol.h"
 #include "core/media/vdb_task.h"
@@ -105,7 +104,7 @@ void write_vdb(const std::string& path, const BrickVolume& volume, const VdbWrit
         throw VdbError(text);
       }
     });
-  } catch (const ImageError& error) {
+  } catch (const FileError& error) {
     throw VdbError(error.what());
   }
 }

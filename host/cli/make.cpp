@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "core/image/atomic_file.h"
+#include "core/files/atomic_file.h"
 #include "core/media/procedural.h"
 #include "core/media/vdb_writer.h"
 #include "core/scene/nearest_word.h"

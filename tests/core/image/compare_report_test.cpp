@@ -114,7 +114,7 @@ TEST(CompareReport, IsWrittenWholeOrNotAtAll) {
   EXPECT_EQ(html.substr(0, 15), "<!DOCTYPE html>");
   EXPECT_EQ(html.substr(html.size() - 8), "</html>\n");
   EXPECT_THROW(write_compare_report(folder / "no/r.html", p.a, p.reference, result, {"a", "b", {}}),
-               ImageError);
+               FileError);
   EXPECT_EQ(folder.entries(), 1u);
 }
 

@@ -188,7 +188,7 @@ TEST(ImageIo, UnknownExtensionsAreRefusedWithTheKnownOnes) {
 TEST(ImageIo, AnOutputIsCheckedBeforeAnythingIsRendered) {
   const TemporaryFolder folder;
   check_output(folder / "a.exr");
-  EXPECT_THROW(check_output(folder / "nowhere/a.png"), ImageError);
+  EXPECT_THROW(check_output(folder / "nowhere/a.png"), FileError);
   WriteOptions options;
   options.view.view = View::ocio;
   options.view.ocio_config = folder / "missing.ocio";

@@ -1,4 +1,4 @@
-#include "core/image/atomic_file.h"
+#include "core/files/atomic_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -9,8 +9,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-
-#include "core/image/image.h"
 
 namespace plinian {
 namespace {
@@ -48,6 +46,7 @@ class TemporaryFile {
     }
     return true;
   }
+  bool sync() { return ::fsync(descriptor_) == 0; }
   bool rename_over(const fs::path& target) {
     struct stat existing;
     if (::stat(target.c_str(), &existing) == 0) ::fchmod(descriptor_, existing.st_mode & 07777);
@@ -65,12 +64,12 @@ class TemporaryFile {
 };
 
 [[noreturn]] void fail(const std::string& path, const std::string& reason) {
-  throw ImageError(path + ": cannot be written: " + reason);
+  throw FileError(path + ": cannot be written: " + reason);
 }
 
 // Where the bytes go in the end: a link is followed, so that it stays one.
 fs::path resolve_target(const std::string& path) {
-  if (path.empty()) throw ImageError("output: the file name is empty");
+  if (path.empty()) throw FileError("output: the file name is empty");
   std::error_code error;
   fs::path target = fs::absolute(path, error);
   if (!target.has_filename() || fs::is_directory(target, error)) fail(path, "it is a folder");
@@ -122,6 +121,46 @@ void write_file(const std::string& path, const std::function<void(const std::str
     fill(file.path().string());
     return true;
   });
+}
+
+namespace {
+
+// Gives the file a second name, `path`.bak, without a moment in which there is neither an old nor a new
+// backup.
+void keep_backup(const fs::path& target) {
+  if (::access(target.c_str(), F_OK) != 0) return;
+  const fs::path backup = target.string() + ".bak";
+  const fs::path link = target.parent_path() / ("." + target.filename().string().substr(0, 200) + "." +
+                                                std::to_string(::getpid()) + ".bak.tmp");
+  ::unlink(link.c_str());
+  std::error_code error;
+  if (::link(target.c_str(), link.c_str()) != 0)  // a file system without links
+    fs::copy_file(target, link, fs::copy_options::overwrite_existing, error);
+  if (error || ::rename(link.c_str(), backup.c_str()) != 0) {
+    const std::string reason = error ? error.message() : std::strerror(errno);
+    ::unlink(link.c_str());
+    fail(backup.string(), reason);
+  }
+  ::unlink(link.c_str());  // still there where it was the backup already
+}
+
+}  // namespace
+
+void write_file_durably(const std::string& path, std::string_view text) {
+  fs::path folder;
+  write_whole(path, [&](TemporaryFile& file) {
+    folder = file.path().parent_path();
+    if (!file.write(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size())) ||
+        !file.sync())
+      return false;
+    keep_backup(resolve_target(path));
+    return true;
+  });
+  // The new name is on the disk once the folder is.
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
 }
 
 void write_file(const std::string& path, std::string_view text) {

@@ -1,4 +1,4 @@
-#include "core/image/atomic_file.h"
+#include "core/files/atomic_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -11,7 +11,6 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "core/image/image.h"
 #include "tests/core/image/temporary_folder.h"
 
 namespace plinian {
@@ -41,7 +40,7 @@ TEST(AtomicFile, AWriteThatFailsHalfwayKeepsTheOldFile) {
   limit.rlim_cur = 100;
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &limit), 0);
   const std::string message =
-      message_of<ImageError>([&] { write_file(folder / "a.txt", std::string_view(std::string(1000, 'x'))); });
+      message_of<FileError>([&] { write_file(folder / "a.txt", std::string_view(std::string(1000, 'x'))); });
   setrlimit(RLIMIT_FSIZE, &old_limit);
   std::signal(SIGXFSZ, old_handler);
   EXPECT_NE(message.find("a.txt: cannot be written: File too large"), std::string::npos) << message;
@@ -49,31 +48,47 @@ TEST(AtomicFile, AWriteThatFailsHalfwayKeepsTheOldFile) {
   EXPECT_EQ(folder.entries(), 1u);
 }
 
+TEST(AtomicFile, KeepsABackupOfWhatCannotBeMadeAgain) {
+  const TemporaryFolder folder;
+  write_file_durably(folder / "a.txt", "first");
+  EXPECT_EQ(folder.entries(), 1u);
+  for (const char* text : {"second", "third"}) write_file_durably(folder / "a.txt", text);
+  EXPECT_EQ(contents(folder / "a.txt"), "third");
+  EXPECT_EQ(contents(folder / "a.txt.bak"), "second");
+  EXPECT_EQ(folder.entries(), 2u);
+  // A save that died after it had kept the backup.
+  std::filesystem::remove(folder / "a.txt.bak");
+  std::filesystem::create_hard_link(folder / "a.txt", folder / "a.txt.bak");
+  write_file_durably(folder / "a.txt", "fourth");
+  EXPECT_EQ(contents(folder / "a.txt.bak"), "third");
+  EXPECT_EQ(folder.entries(), 2u);
+}
+
 TEST(AtomicFile, SaysThatTheFolderDoesNotExist) {
   const TemporaryFolder folder;
   const std::string path = folder / "nowhere/a.exr";
-  const std::string message = message_of<ImageError>([&] { check_writable(path); });
+  const std::string message = message_of<FileError>([&] { check_writable(path); });
   EXPECT_EQ(message, path + ": cannot be written: the folder " + (folder / "nowhere") + " does not exist");
-  EXPECT_EQ(message_of<ImageError>([&] { write_file(path, std::string_view("x")); }), message);
+  EXPECT_EQ(message_of<FileError>([&] { write_file(path, std::string_view("x")); }), message);
   EXPECT_EQ(folder.entries(), 0u);
 }
 
 TEST(AtomicFile, RefusesAFolderADeviceAndAFileUsedAsAFolder) {
   const TemporaryFolder folder;
-  EXPECT_NE(message_of<ImageError>([&] { check_writable(folder.path().string()); }).find("it is a folder"),
+  EXPECT_NE(message_of<FileError>([&] { check_writable(folder.path().string()); }).find("it is a folder"),
             std::string::npos);
-  EXPECT_NE(message_of<ImageError>([&] { check_writable("/dev/null"); }).find("not a plain file"),
+  EXPECT_NE(message_of<FileError>([&] { check_writable("/dev/null"); }).find("not a plain file"),
             std::string::npos);
   write_file(folder / "file", std::string_view("x"));
-  EXPECT_NE(message_of<ImageError>([&] { check_writable(folder / "file/a.exr"); }).find("not a folder"),
+  EXPECT_NE(message_of<FileError>([&] { check_writable(folder / "file/a.exr"); }).find("not a folder"),
             std::string::npos);
-  EXPECT_NE(message_of<ImageError>([&] { check_writable(""); }).find("empty"), std::string::npos);
+  EXPECT_NE(message_of<FileError>([&] { check_writable(""); }).find("empty"), std::string::npos);
 }
 
 TEST(AtomicFile, RefusesAFolderThatTakesNoFilesEvenForTheSuperuser) {
   if (!std::filesystem::is_directory("/proc/self")) GTEST_SKIP() << "no /proc here";
   EXPECT_NE(
-      message_of<ImageError>([&] { check_writable("/proc/self/a.exr"); }).find("no file can be made in"),
+      message_of<FileError>([&] { check_writable("/proc/self/a.exr"); }).find("no file can be made in"),
       std::string::npos);
 }
 
@@ -95,16 +110,16 @@ TEST(AtomicFile, RefusesAWriteProtectedFileAndFolder) {
   ::chmod((folder / "a.exr").c_str(), 0444);
   {
     const OrdinaryUser user;
-    EXPECT_NE(message_of<ImageError>([&] { check_writable(folder / "a.exr"); }).find("Permission denied"),
+    EXPECT_NE(message_of<FileError>([&] { check_writable(folder / "a.exr"); }).find("Permission denied"),
               std::string::npos);
-    EXPECT_THROW(write_file(folder / "a.exr", std::string_view("x")), ImageError);
+    EXPECT_THROW(write_file(folder / "a.exr", std::string_view("x")), FileError);
     check_writable(folder / "b.exr");
   }
   EXPECT_EQ(contents(folder / "a.exr"), "precious");
   ::chmod(folder.path().c_str(), 0555);
   {
     const OrdinaryUser user;
-    EXPECT_NE(message_of<ImageError>([&] { check_writable(folder / "b.exr"); }).find("Permission denied"),
+    EXPECT_NE(message_of<FileError>([&] { check_writable(folder / "b.exr"); }).find("Permission denied"),
               std::string::npos);
   }
   ::chmod(folder.path().c_str(), 0777);
