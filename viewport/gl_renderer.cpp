@@ -11,6 +11,7 @@
 #include <unordered_map>
 
 #include "core/scene/frame_layers.h"
+#include "core/scene/rest_gauge.h"
 #include "core/transmittance/map_key.h"
 #include "viewport/gl/egl_context.h"
 #include "viewport/passes/map_pass.h"
@@ -60,13 +61,13 @@ class GlRenderer final : public Renderer {
     if (context_) context_->make_current();
   }
 
-  Frame render(const SceneSnapshot& scene, int passes, const Progress& progress) override;
+  Frame render(const SceneSnapshot& scene, const Passes& passes, const Progress& progress) override;
   const RenderStats& stats() const override { return stats_; }
 
  private:
   std::vector<const passes::VolumeTextures*> upload(const FlatScene& flat);
   void build_maps(const FlatScene& flat, BatchState& batch, const std::function<bool()>& go_on);
-  Frame render_once(const SceneSnapshot& scene, int passes, const Progress& progress);
+  Frame render_once(const SceneSnapshot& scene, const Passes& passes, const Progress& progress);
 
   bool own_context_;
   std::optional<gl::EglContext> context_;
@@ -154,8 +155,8 @@ void read_sums(const gl::Texture& planes, const FlatScene& flat, const SceneSnap
   }
 }
 
-Frame GlRenderer::render(const SceneSnapshot& scene, int passes, const Progress& progress) {
-  if (passes < 1) throw std::invalid_argument("a picture takes at least one pass");
+Frame GlRenderer::render(const SceneSnapshot& scene, const Passes& passes, const Progress& progress) {
+  if (passes.most < 1) throw std::invalid_argument("a picture takes at least one pass");
   try {
     return render_once(scene, passes, progress);
   } catch (const ContextLost&) {
@@ -168,7 +169,7 @@ Frame GlRenderer::render(const SceneSnapshot& scene, int passes, const Progress&
   }
 }
 
-Frame GlRenderer::render_once(const SceneSnapshot& scene, int passes, const Progress& progress) {
+Frame GlRenderer::render_once(const SceneSnapshot& scene, const Passes& passes, const Progress& progress) {
   if (context_) context_->make_current();
   const FlatScene whole = flatten(scene);
   if (whole.media.empty()) return empty_frame(scene);
@@ -182,21 +183,24 @@ Frame GlRenderer::render_once(const SceneSnapshot& scene, int passes, const Prog
   const bool exact = scene.quality.view.exact_light_at_rest && !scene.lights.empty();
   const std::vector<FlatScene> batches = light_batches(whole);
   const std::vector<FlatScene> exact_parts =
-      exact && passes > 1 ? exact_batches(whole) : std::vector<FlatScene>();
+      exact && passes.most > 1 ? exact_batches(whole) : std::vector<FlatScene>();
   gpu_->batches.resize(batches.size());
   gpu_->exact_batches.resize(exact_parts.size());
-  const int map_passes = exact_parts.empty() ? passes : 1;
+  const int map_passes = exact_parts.empty() ? passes.most : 1;
   const double jobs =
-      double(batches.size()) * map_passes + double(exact_parts.size()) * (passes - map_passes);
+      double(batches.size()) * map_passes + double(exact_parts.size()) * (passes.most - map_passes);
   double job = 0.0;
 
   stats_.map_bytes = 0;
   stats_.map_ms = stats_.view_ms = stats_.map_cpu_ms = stats_.view_cpu_ms = 0.0;
-  const auto render_part = [&](const FlatScene& flat, BatchState& state, int first_pass, int last_pass) {
-    gpu_->blocks.update(flat, textures);
+  // One pass of some lights; `first` where it is the first in their sums.
+  const FlatScene* in_blocks = nullptr;
+  const auto render_part = [&](const FlatScene& flat, BatchState& state, int pass, bool first) {
+    if (in_blocks != &flat) gpu_->blocks.update(flat, textures);
+    in_blocks = &flat;
     auto start = Clock::now();
     double cpu_start = processor_milliseconds();
-    if (flat.view.light == LightLookup::map) {
+    if (first && flat.view.light == LightLookup::map) {
       build_maps(flat, state, go_on);
       glFinish();
     }
@@ -210,38 +214,50 @@ Frame GlRenderer::render_once(const SceneSnapshot& scene, int passes, const Prog
       state.sums = gl::make_texture_array(GL_RGBA32F, size);
       state.sums_size = size;
     }
-    for (int pass = first_pass; pass < last_pass; ++pass, ++job) {
-      done = job / jobs;
-      if (!gpu_->view_pass.render(gpu_->blocks, flat, scene, state.maps, pass, pass == first_pass, state.sums,
-                                  go_on))
-        throw RenderCancelled();
-    }
+    done = job++ / jobs;
+    if (!gpu_->view_pass.render(gpu_->blocks, flat, scene, state.maps, pass, first, state.sums, go_on))
+      throw RenderCancelled();
     glFinish();
     stats_.view_ms += milliseconds_since(start);
     stats_.view_cpu_ms += processor_milliseconds() - cpu_start;
   };
 
-  for (std::size_t b = 0; b < batches.size(); ++b) render_part(batches[b], gpu_->batches[b], 0, map_passes);
-  for (std::size_t b = 0; b < exact_parts.size(); ++b)
-    render_part(exact_parts[b], gpu_->exact_batches[b], map_passes, passes);
+  // What all parts have gathered in so many passes.
+  const auto gather = [&](int passes_done) {
+    FrameSums sums(scene, whole.lights.size());
+    std::size_t first_light = 0;
+    for (std::size_t b = 0; b < batches.size(); ++b) {
+      read_sums(gpu_->batches[b].sums, batches[b], scene, first_light, b == 0, sums);
+      first_light += batches[b].lights.size();
+    }
+    if (passes_done > map_passes) {
+      // Media are seen the same by every light's passes: those of the first count.
+      FrameSums rest(scene, whole.lights.size());
+      for (std::size_t b = 0; b < exact_parts.size(); ++b)
+        read_sums(gpu_->exact_batches[b].sums, exact_parts[b], scene, b, b == 0, rest);
+      add_passes(sums, rest);
+    }
+    return resolve(std::move(sums), scene, passes_done);
+  };
+
+  Refinement refinement(passes);
+  int pass = 0;
+  do {
+    if (pass < map_passes)
+      for (std::size_t b = 0; b < batches.size(); ++b)
+        render_part(batches[b], gpu_->batches[b], pass, pass == 0);
+    else
+      for (std::size_t b = 0; b < exact_parts.size(); ++b)
+        render_part(exact_parts[b], gpu_->exact_batches[b], pass, pass == map_passes);
+    ++pass;
+  } while (refinement.wants_another(pass, [&] { return gather(pass); }));
   if (glGetGraphicsResetStatus() != GL_NO_ERROR) throw ContextLost();
 
-  FrameSums sums(scene, whole.lights.size());
-  std::size_t first_light = 0;
-  for (std::size_t b = 0; b < batches.size(); ++b) {
-    read_sums(gpu_->batches[b].sums, batches[b], scene, first_light, b == 0, sums);
-    first_light += batches[b].lights.size();
-  }
-  if (!exact_parts.empty()) {
-    // Media are seen the same by every light's passes: those of the first count.
-    FrameSums rest(scene, whole.lights.size());
-    for (std::size_t b = 0; b < exact_parts.size(); ++b)
-      read_sums(gpu_->exact_batches[b].sums, exact_parts[b], scene, b, b == 0, rest);
-    add_passes(sums, rest);
-  }
+  Frame frame = gather(pass);
   gl::check_errors("a frame");
-  stats_.passes = passes;
-  return resolve(sums, scene, passes);
+  stats_.passes = pass;
+  stats_.rest_change = refinement.rest_change();
+  return frame;
 }
 
 }  // namespace

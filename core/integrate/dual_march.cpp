@@ -106,7 +106,7 @@ std::vector<std::uint32_t> unsettled(const std::vector<std::uint8_t>& agreements
 
 DualMarch::DualMarch(const DualMarchOptions& options) : options_(options) {}
 
-Frame DualMarch::render(const SceneSnapshot& scene, int /*passes*/, const Progress& progress) {
+Frame DualMarch::render(const SceneSnapshot& scene, const Passes& /*passes*/, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   Frame frame = make_frame(scene);
   const MarchScene march(scene, options_.steps);

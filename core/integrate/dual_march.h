@@ -32,7 +32,7 @@ class DualMarch final : public Renderer {
   /// Renders the snapshot; `passes` is ignored. Throws std::invalid_argument for a medium without a volume or
   /// with a singular transform, and for a picture without pixels. stats().passes is the number of pictures it
   /// took.
-  Frame render(const SceneSnapshot& scene, int passes = 0, const Progress& progress = {}) override;
+  Frame render(const SceneSnapshot& scene, const Passes& passes = 1, const Progress& progress = {}) override;
   const RenderStats& stats() const override { return stats_; }
 
   /// Pixels rendered at each level by the last render().

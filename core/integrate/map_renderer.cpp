@@ -9,6 +9,7 @@
 
 #include "core/integrate/flat_scene.h"
 #include "core/scene/frame_layers.h"
+#include "core/scene/rest_gauge.h"
 #include "core/shared/view_march.h"
 #include "core/transmittance/map_key.h"
 
@@ -60,7 +61,7 @@ void build_map(const FlatScene& flat, int map, std::vector<uvec4>& texels, const
 
 class MapRenderer final : public Renderer {
  public:
-  Frame render(const SceneSnapshot& scene, int passes, const Progress& progress) override;
+  Frame render(const SceneSnapshot& scene, const Passes& passes, const Progress& progress) override;
   const RenderStats& stats() const override { return stats_; }
 
  private:
@@ -90,7 +91,7 @@ void MapRenderer::build_maps(const FlatScene& flat, BatchMaps& maps, const Progr
   stats_.map_bytes += maps.texels.size() * sizeof(uvec4);
 }
 
-Frame MapRenderer::render(const SceneSnapshot& scene, int passes, const Progress& progress) {
+Frame MapRenderer::render(const SceneSnapshot& scene, const Passes& passes, const Progress& progress) {
   const FlatScene whole = flatten(scene);
   if (whole.media.empty()) return empty_frame(scene);
   const auto start = Clock::now();
@@ -104,47 +105,55 @@ Frame MapRenderer::render(const SceneSnapshot& scene, int passes, const Progress
   const auto maps_done = Clock::now();
   const double cpu_maps = processor_milliseconds();
 
-  const bool exact = scene.quality.view.exact_light_at_rest && passes > 1;
+  const bool exact = scene.quality.view.exact_light_at_rest && passes.most > 1;
   const std::vector<FlatScene> exact_parts = exact ? exact_batches(whole) : std::vector<FlatScene>();
-  const int map_passes = exact_parts.empty() ? passes : 1;
+  const int map_passes = exact_parts.empty() ? passes.most : 1;
   const double jobs =
-      double(batches.size()) * map_passes + double(exact_parts.size()) * (passes - map_passes);
+      double(batches.size()) * map_passes + double(exact_parts.size()) * (passes.most - map_passes);
   double job = 0.0;
   FrameSums sums(scene, whole.lights.size());
   const CameraRays rays = camera_rays(scene.camera, scene.width, scene.height);
-  // Passes [first, last) of some lights; media are seen the same by all parts, so one of them counts.
-  const auto render_part = [&](const FlatScene& flat, const uvec4* texels, std::size_t first_light, int first,
-                               int last, bool with_media) {
+  // One pass of some lights; media are seen the same by all parts, so one of them counts.
+  const auto render_part = [&](const FlatScene& flat, const uvec4* texels, std::size_t first_light, int pass,
+                               bool with_media) {
     const MarchViews views = view_of(flat, texels);
-    for (int pass = first; pass < last; ++pass, ++job)
-      for_rows(scene.height, job / jobs, (job + 1.0) / jobs, progress, [&](int y) {
-        for (int x = 0; x < scene.width; ++x) {
-          const vec3 direction = shared::pixel_direction(rays.forward, rays.right, rays.up, ivec2(x, y),
-                                                         ivec2(scene.width, scene.height));
-          const shared::ViewControls controls =
-              shared::view_controls(ivec2(x, y), pass, flat.view.quantum, flat.view.step, flat.view.cutoff);
-          const shared::ViewResult result =
-              shared::march_view(views.scene, rays.origin, direction, scene.camera.near_clip, controls);
-          const std::size_t pixel = std::size_t(y) * scene.width + x;
-          if (with_media) {
-            sums.transmittance[pixel] += result.transmittance;
-            sums.ambient[pixel] += result.ambient;
-            sums.emission[pixel] += result.emission;
-            if (pass == 0) sums.depth[pixel] = result.depth;
-          }
-          for (std::size_t l = 0; l < flat.lights.size(); ++l)
-            sums.lights[first_light + l][pixel] += result.light[l];
+    for_rows(scene.height, job / jobs, (job + 1.0) / jobs, progress, [&](int y) {
+      for (int x = 0; x < scene.width; ++x) {
+        const vec3 direction = shared::pixel_direction(rays.forward, rays.right, rays.up, ivec2(x, y),
+                                                       ivec2(scene.width, scene.height));
+        const shared::ViewControls controls =
+            shared::view_controls(ivec2(x, y), pass, flat.view.quantum, flat.view.step, flat.view.cutoff);
+        const shared::ViewResult result =
+            shared::march_view(views.scene, rays.origin, direction, scene.camera.near_clip, controls);
+        const std::size_t pixel = std::size_t(y) * scene.width + x;
+        if (with_media) {
+          sums.transmittance[pixel] += result.transmittance;
+          sums.ambient[pixel] += result.ambient;
+          sums.emission[pixel] += result.emission;
+          if (pass == 0) sums.depth[pixel] = result.depth;
         }
-      });
+        for (std::size_t l = 0; l < flat.lights.size(); ++l)
+          sums.lights[first_light + l][pixel] += result.light[l];
+      }
+    });
+    ++job;
   };
-  std::size_t first_light = 0;
-  for (std::size_t b = 0; b < batches.size(); ++b) {
-    render_part(batches[b], batches_[b].texels.data(), first_light, 0, map_passes, b == 0);
-    first_light += batches[b].lights.size();
-  }
-  for (std::size_t l = 0; l < exact_parts.size(); ++l)
-    render_part(exact_parts[l], nullptr, l, map_passes, passes, l == 0);
-  stats_.passes = passes;
+  Refinement refinement(passes);
+  int done = 0;
+  do {
+    std::size_t first_light = 0;
+    if (done < map_passes)
+      for (std::size_t b = 0; b < batches.size(); ++b) {
+        render_part(batches[b], batches_[b].texels.data(), first_light, done, b == 0);
+        first_light += batches[b].lights.size();
+      }
+    else
+      for (std::size_t l = 0; l < exact_parts.size(); ++l)
+        render_part(exact_parts[l], nullptr, l, done, l == 0);
+    ++done;
+  } while (refinement.wants_another(done, [&] { return resolve(sums, scene, done); }));
+  stats_.passes = done;
+  stats_.rest_change = refinement.rest_change();
   const auto milliseconds = [](auto from, auto to) {
     return std::chrono::duration<double, std::milli>(to - from).count();
   };
@@ -152,7 +161,7 @@ Frame MapRenderer::render(const SceneSnapshot& scene, int passes, const Progress
   stats_.view_ms = milliseconds(maps_done, Clock::now());
   stats_.map_cpu_ms = cpu_maps - cpu_start;
   stats_.view_cpu_ms = processor_milliseconds() - cpu_maps;
-  return resolve(sums, scene, passes);
+  return resolve(std::move(sums), scene, done);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,9 +33,10 @@ struct RenderStats {
   std::int64_t volume_uploads = 0;
   std::size_t volume_bytes = 0;  // of the volumes where the renderer keeps them
   std::size_t map_bytes = 0;
-  int passes = 0;                                 // jittered passes in the picture
+  int passes = 0;                    // jittered passes in the picture
+  std::optional<float> rest_change;  // [8-bit steps] estimated change still to come, where it was looked for
   double upload_ms = 0, map_ms = 0, view_ms = 0;  // wall clock of the last render's parts
-  double map_cpu_ms = 0, view_cpu_ms = 0;  // processor time of the same, summed over threads
+  double map_cpu_ms = 0, view_cpu_ms = 0;         // processor time of the same, summed over threads
   std::vector<std::string> warnings;
 };
 

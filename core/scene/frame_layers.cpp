@@ -23,7 +23,7 @@ void add_passes(FrameSums& sums, const FrameSums& more) {
   for (std::size_t l = 0; l < sums.lights.size(); ++l) add(sums.lights[l], more.lights[l]);
 }
 
-Frame resolve(FrameSums& sums, const SceneSnapshot& scene, int passes) {
+Frame resolve(FrameSums sums, const SceneSnapshot& scene, int passes) {
   const std::size_t pixels = sums.depth.size();
   Frame frame;
   frame.width = scene.width;
@@ -56,7 +56,7 @@ Frame resolve(FrameSums& sums, const SceneSnapshot& scene, int passes) {
 Frame empty_frame(const SceneSnapshot& scene) {
   FrameSums sums(scene, scene.lights.size());
   for (vec3& t : sums.transmittance) t = vec3(1.0f);
-  return resolve(sums, scene, 1);
+  return resolve(std::move(sums), scene, 1);
 }
 
 double processor_milliseconds() {

@@ -21,8 +21,8 @@ struct FrameSums {
 /// Adds further passes to what the first ones gathered; the depth stays that of the first.
 void add_passes(FrameSums& sums, const FrameSums& more);
 
-/// Means, the ambient light's colour, the background behind, and their sum. Takes the sums' memory over.
-Frame resolve(FrameSums& sums, const SceneSnapshot& scene, int passes);
+/// Means, the ambient light's colour, the background behind, and their sum.
+Frame resolve(FrameSums sums, const SceneSnapshot& scene, int passes);
 
 /// A picture without any medium: the background.
 Frame empty_frame(const SceneSnapshot& scene);

@@ -45,8 +45,9 @@ struct ViewQuality {
   int shade_samples = 8;                // light lookups along an opaque view ray, placed at equal opacity
   float step = 1.0f;                    // [voxels] between density samples
   float transmittance_cutoff = 0.002f;  // [-] a ray ends where nothing more than this could be seen
-  int passes = 32;                      // jittered passes until the picture counts as converged
-  bool exact_light_at_rest = false;     // further passes at rest replace map lookups by the light march
+  int passes = 32;                      // jittered passes of a picture at most
+  float rest_change = 2.0f;          // [8-bit steps] >= 0: a picture with no more change to come is at rest
+  bool exact_light_at_rest = false;  // further passes at rest replace map lookups by the light march
   LightLookup light = LightLookup::map;
   float march_step = 1.0f;   // [voxels] of a marched light ray
   float march_depth = 5.0f;  // [-] optical depth at which a marched light ray ends

@@ -70,7 +70,13 @@ const std::vector<Parameter<Quality>>& quality_parameters() {
            .help = "a view ray ends where no more than this shines through"}),
       view<&ViewQuality::passes>({.name = "passes",
                                   .range = Range::closed(1, 65536),
-                                  .help = "jittered passes until the picture counts as converged"}),
+                                  .help = "jittered passes of a picture at most"}),
+      view<&ViewQuality::rest_change>(
+          {.name = "rest_change",
+           .range = Range::closed(0, 255),
+           .unit = "8-bit steps",
+           .help = "a picture is done where the mean change still to come is no more than this; 0: after all "
+                   "passes"}),
       view<&ViewQuality::exact_light_at_rest>(
           {.name = "exact_light_at_rest",
            .help = "further passes at rest march to the light instead of reading the map"}),

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "core/scene/frame.h"
@@ -18,12 +19,25 @@ struct RenderCancelled : std::runtime_error {
   RenderCancelled() : std::runtime_error("cancelled") {}
 };
 
+/// How many jittered passes a picture takes: a plain number means exactly so many.
+struct Passes {
+  Passes(int exactly) : most(exactly) {}  // implicit, so that a number will do
+  Passes(int most_, float rest_change_) : most(most_), rest_change(rest_change_) {}
+
+  int most;                  // >= 1
+  float rest_change = 0.0f;  // [8-bit steps] ends earlier where no more change than this is to come, see
+                             // RestGauge; 0: never
+  /// Called after each pass with the number done and, when it is known anew, the change still to come.
+  /// Returning false ends the picture with what there is.
+  std::function<bool(int done, std::optional<float> change)> after_pass;
+};
+
 class Renderer {
  public:
   virtual ~Renderer() = default;
-  /// Renders `passes` jittered passes of the snapshot (the reference ignores it). Maps and volumes are kept
+  /// Renders jittered passes of the snapshot (the reference ignores how many). Maps and volumes are kept
   /// from one call to the next and rebuilt only for the reasons listed in map_key.h.
-  virtual Frame render(const SceneSnapshot& scene, int passes, const Progress& progress = {}) = 0;
+  virtual Frame render(const SceneSnapshot& scene, const Passes& passes, const Progress& progress = {}) = 0;
   virtual const RenderStats& stats() const = 0;
 };
 

@@ -334,7 +334,7 @@ Run set_up_bench(CLI::App& app) {
       ->type_name("N")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  app.add_option("--samples", arguments->samples, "jittered passes of each frame")
+  app.add_option("--passes,--samples", arguments->samples, "jittered passes of each frame")
       ->type_name("N")
       ->check(CLI::Range(1, 65536))
       ->capture_default_str();

@@ -57,9 +57,15 @@ bool ProgressBar::operator()(double share) {
     drawn_ = true;
     share = std::clamp(share, 0.0, 1.0);
     const int width = 30, full = int(share * width);
-    const std::string left = share > 0.01 ? time_text(elapsed * (1.0 - share) / share) + " left" : "";
-    std::fputs(fmt::format("\r{} [{}{}] {:3.0f}%  {}\033[K", label_, std::string(std::size_t(full), '#'),
-                           std::string(std::size_t(width - full), '.'), share * 100.0, left)
+    std::string behind = detail_.empty() ? fmt::format("{:3.0f}%", share * 100.0) : detail_;
+    behind += ", " + time_text(elapsed);
+    if (interrupted())
+      behind += ", ending (Ctrl-C again: at once)";
+    else if (share > 0.01)
+      behind += fmt::format(", {}{} left", detail_.empty() ? "" : "at most ",
+                            time_text(elapsed * (1.0 - share) / share));
+    std::fputs(fmt::format("\r{} [{}{}] {}\033[K", label_, std::string(std::size_t(full), '#'),
+                           std::string(std::size_t(width - full), '.'), behind)
                    .c_str(),
                stderr);
     std::fflush(stderr);

@@ -21,10 +21,12 @@ class ProgressBar {
 
   /// share: [-] of the work, in [0, 1]. Returns false once the user has interrupted.
   bool operator()(double share);
+  /// What stands behind the bar beside the times: "3 of at most 32 passes".
+  void set_detail(std::string detail) { detail_ = std::move(detail); }
 
  private:
   using Clock = std::chrono::steady_clock;
-  std::string label_;
+  std::string label_, detail_;
   bool visible_;
   bool drawn_ = false;
   Clock::time_point start_, last_{};

@@ -26,7 +26,7 @@ struct RenderArguments {
   SceneArguments scene;
   std::vector<std::string> outputs;
   std::string renderer = "auto";
-  int samples = 0;  // jittered passes; 0: as the preset says
+  int passes = 0;  // jittered passes; 0: until the picture rests, as the preset says
   float exposure = 0.0f;
   std::string view;
   std::string pixels = "half", compression = "zip";
@@ -41,7 +41,8 @@ Examples:
   plinian render smoke.vdb --set medium.albedo=0.3 --set key.exposure=2 --set camera.azimuth=120
   plinian render scene.json -o truth.exr --renderer reference
 Without -o the picture is INPUT's name with .png, in the current folder. An EXR holds linear radiance in layers
-(beauty, alpha, depth, one per light); a PNG is what the view transform shows of it.)";
+(beauty, alpha, depth, one per light); a PNG is what the view transform shows of it. A picture gathers jittered
+passes until what further ones would change is no longer seen; Ctrl-C ends it after the pass it is at and writes it.)";
 
 // Every way to spell one output counts once.
 std::vector<std::string> outputs_of(const RenderArguments& arguments) {
@@ -78,13 +79,24 @@ int run_render(const RenderArguments& arguments, const std::string& command_line
   const SceneSnapshot& snapshot = scene.loaded.snapshot;
   const NamedRenderer chosen =
       choose_renderer(arguments.renderer, {.reference_tolerance = arguments.tolerance});
-  const int passes = arguments.samples > 0 ? arguments.samples : snapshot.quality.view.passes;
+  if (interrupted()) throw RenderCancelled();
 
   const auto start = std::chrono::steady_clock::now();
+  const ViewQuality& view = snapshot.quality.view;
+  Passes passes = arguments.passes > 0 ? Passes(arguments.passes) : Passes(view.passes, view.rest_change);
+  // Ctrl-C lets the current pass end and keeps what there is. The reference has no passes: it ends at once.
+  const bool has_passes = chosen.name != "reference";
+  const std::string most =
+      fmt::format("{}{} passes", passes.rest_change > 0.0f ? "at most " : "", passes.most);
   Frame frame;
   {
     ProgressBar bar("rendering");
-    frame = chosen.renderer->render(snapshot, passes, [&](double share) { return bar(share); });
+    if (has_passes) bar.set_detail("0 of " + most);
+    passes.after_pass = [&](int done, std::optional<float>) {
+      bar.set_detail(fmt::format("{} of {}", done, most));
+      return !interrupted();
+    };
+    frame = chosen.renderer->render(snapshot, passes, [&](double share) { return bar(share) || has_passes; });
   }
   const double render_ms = milliseconds_since(start);
   const RenderStats& stats = chosen.renderer->stats();
@@ -107,12 +119,16 @@ int run_render(const RenderArguments& arguments, const std::string& command_line
                                                              {"render", render_ms}};
   for (const auto& [part, time] : times) image.metadata[attribute::time_prefix + part] = float(time);
 
-  if (interrupted()) throw RenderCancelled();
+  const bool cut_short = interrupted() && has_passes && stats.passes < passes.most;
   for (const std::string& output : outputs) write_image(output, image, writing);
 
-  note(fmt::format("{}: {}, {}, {}x{}, {} passes in {:.2f} s (maps {:.0f} ms)", join(outputs), chosen.name,
+  const std::string change =
+      stats.rest_change ? fmt::format(", to rest within {:.2g} of 255", *stats.rest_change) : "";
+  note(fmt::format("{}: {}, {}, {}x{}, {} passes in {:.2f} s (maps {:.0f} ms){}", join(outputs), chosen.name,
                    snapshot.quality.name, frame.width, frame.height, stats.passes, render_ms / 1000.0,
-                   stats.map_ms));
+                   stats.map_ms, change));
+  if (cut_short)
+    warn(fmt::format("interrupted: {} holds what {} of {} gave", join(outputs), stats.passes, most));
   if (arguments.json) {
     nlohmann::ordered_json report = {{"input", arguments.scene.input},
                                      {"outputs", outputs},
@@ -120,7 +136,9 @@ int run_render(const RenderArguments& arguments, const std::string& command_line
                                      {"preset", snapshot.quality.name},
                                      {"size", {frame.width, frame.height}},
                                      {"passes", stats.passes},
+                                     {"interrupted", cut_short},
                                      {"scene_hash", hash}};
+    if (stats.rest_change) report["rest_change"] = *stats.rest_change;
     for (const auto& [part, time] : times) report["time_ms"][part] = time;
     report["map_builds"] = stats.map_builds;
     report["volume_uploads"] = stats.volume_uploads;
@@ -131,7 +149,7 @@ int run_render(const RenderArguments& arguments, const std::string& command_line
     for (const std::string& warning : stats.warnings) report["warnings"].push_back(warning);
     print(report.dump(2) + "\n");
   }
-  return exit_success;
+  return cut_short ? exit_cancelled : exit_success;
 }
 
 }  // namespace
@@ -149,7 +167,9 @@ Run set_up_render(CLI::App& app) {
       ->type_name("NAME")
       ->capture_default_str()
       ->group("Quality");
-  app.add_option("--samples", arguments->samples, "jittered passes (as the preset says)")
+  app.add_option("--passes,--samples", arguments->passes,
+                 "exactly so many jittered passes (until no visible change is to come: view.rest_change, "
+                 "view.passes)")
       ->type_name("N")
       ->check(CLI::Range(1, 65536))
       ->group("Quality");

@@ -20,5 +20,15 @@ TEST_F(Program, RendersOnGl) {
   EXPECT_GT(mean_of(picture("a.exr"), "A"), 0.1);
 }
 
+TEST_F(Program, CtrlCEndsAPictureOnGlAfterItsPassAndWritesIt) {
+  RunOptions options;
+  options.signal_after_text = "camera: placed";
+  options.signal_after_s = 0.7;
+  const Ended ended = run({"render", "ash", "-o", "a.exr", "--renderer", "gl", "--size", "48x48",
+                           "--resolution", "32", "--passes", "60000"},
+                          options);
+  expect_ctrl_c_keeps_the_picture(ended, picture("a.exr"));
+}
+
 }  // namespace
 }  // namespace plinian

@@ -41,15 +41,21 @@ Ended plinian_program(const std::vector<std::string>& arguments, const RunOption
   close(err[1]);
 
   Ended ended;
-  const auto start = std::chrono::steady_clock::now();
+  auto start = std::chrono::steady_clock::now();
+  bool counting = options.signal_after_text.empty();
   bool signalled = options.signal_after_s <= 0.0;
   pollfd pipes[2] = {{out[0], POLLIN, 0}, {err[0], POLLIN, 0}};
   std::string* texts[2] = {&ended.out, &ended.err};
   int open = 2;
   while (open > 0) {
     poll(pipes, 2, 20);
-    if (!signalled && std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() >
-                          options.signal_after_s) {
+    if (!counting && ended.err.find(options.signal_after_text) != std::string::npos) {
+      start = std::chrono::steady_clock::now();
+      counting = true;
+    }
+    if (counting && !signalled &&
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() >
+            options.signal_after_s) {
       kill(child, SIGINT);
       signalled = true;
     }

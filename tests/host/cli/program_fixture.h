@@ -38,6 +38,19 @@ class Program : public testing::Test {
   TemporaryFolder folder_;
 };
 
+// Ctrl-C during the passes of a picture that would take hours; what there is gets written, and one line says
+// so.
+inline void expect_ctrl_c_keeps_the_picture(const Ended& ended, const Image& image) {
+  EXPECT_EQ(ended.code, 130);
+  const std::size_t line = ended.err.find("warning: interrupted: a.exr holds what ");
+  ASSERT_NE(line, std::string::npos) << ended.err;
+  EXPECT_EQ(ended.err.find("interrupted", line + 22), std::string::npos);
+  EXPECT_NE(ended.err.find(" of 60000 passes gave", line), std::string::npos) << ended.err;
+  const int passes = std::get<int>(image.metadata.at(attribute::passes));
+  EXPECT_GE(passes, 1);
+  EXPECT_LT(passes, 60000);
+}
+
 inline double mean_of(const Image& image, const std::string& channel) {
   double sum = 0.0;
   for (const float value : image.find(channel)->values) sum += value;

@@ -187,6 +187,45 @@ TEST_F(Program, AwkwardScenesGiveFinitePictures) {
   }
 }
 
+TEST_F(Program, CtrlCEndsAPictureAfterItsPassAndWritesIt) {
+  RunOptions options;
+  options.signal_after_text = "camera: placed";
+  options.signal_after_s = 0.7;
+  const Ended ended = run({"render", "ash", "-o", "a.exr", "--renderer", "cpu", "--size", "48x48",
+                           "--resolution", "32", "--passes", "60000", "--set", "map.resolution=64"},
+                          options);
+  expect_ctrl_c_keeps_the_picture(ended, picture("a.exr"));
+  EXPECT_GT(mean_of(picture("a.exr"), "A"), 0.1);
+}
+
+TEST_F(Program, APictureTakesThePassesThatItNeedsAndNoMore) {
+  const auto report = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"render", "-o", "a.exr", "--renderer", "cpu", "--size", "48x48", "--json"});
+    const Ended ended = run(more);
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return json::parse(ended.out);
+  };
+  const std::vector<std::string> ash = {"ash", "--resolution", "32", "--set", "map.resolution=64"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), ash.begin(), ash.end());
+    return report(more);
+  };
+  const json usual = with({});
+  EXPECT_GT(usual["passes"], 1);
+  EXPECT_LT(usual["passes"], 32);
+  EXPECT_LE(usual["rest_change"], 2.0);
+  EXPECT_EQ(with({})["passes"], usual["passes"]) << "the same again";
+  const json finer = with({"--set", "view.rest_change=0.5", "--set", "view.passes=200"});
+  EXPECT_GT(finer["passes"], usual["passes"]);
+  EXPECT_LE(finer["rest_change"], 0.5);
+  EXPECT_EQ(with({"--set", "view.rest_change=1e-9", "--set", "view.passes=5"})["passes"], 5) << "at most";
+  // An exact number is exact, at rest or not.
+  EXPECT_EQ(with({"--passes", "40"})["passes"], 40);
+  EXPECT_FALSE(with({"--passes", "1"}).contains("rest_change"));
+  // A picture without any medium to see is at rest at once.
+  EXPECT_EQ(report({"box", "--set", "medium.density_scale=0"})["passes"], 2);
+}
+
 TEST_F(Program, CtrlCEndsARenderWithNothingWritten) {
   RunOptions options;
   options.signal_after_s = 1.0;

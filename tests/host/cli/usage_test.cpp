@@ -74,8 +74,8 @@ TEST(Usage, AFileInPlaceOfACommandIsToldHowToRenderIt) {
 
 TEST(Usage, WrongArgumentsAreOneLineThatNamesThem) {
   EXPECT_TRUE(contains(usage_error({"render"}), "INPUT"));
-  EXPECT_TRUE(contains(usage_error({"render", "ash", "--samples", "0"}), "--samples"));
-  EXPECT_TRUE(contains(usage_error({"render", "ash", "--samples", "many"}), "--samples"));
+  EXPECT_TRUE(contains(usage_error({"render", "ash", "--passes", "0"}), "--passes"));
+  EXPECT_TRUE(contains(usage_error({"render", "ash", "--samples", "many"}), "--passes"));
   EXPECT_TRUE(contains(usage_error({"render", "ash", "--renderer", "magic"}), "--renderer"));
   EXPECT_TRUE(contains(usage_error({"render", "ash", "-o"}), "-o"));
   EXPECT_TRUE(contains(usage_error({"make", "ash"}), "--output"));
