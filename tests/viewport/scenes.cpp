@@ -45,6 +45,15 @@ SceneSnapshot shared_scene(const std::string& name, int size) {
   return scene;
 }
 
+SceneSnapshot fire_scene(int size) {
+  SceneSnapshot scene = shared_scene("densityAndHeat.vdb", size);
+  scene.media[0].density_scale = 0.5f;
+  scene.media[0].emission.scale = 10.0f;
+  for (Light& light : scene.lights) light.exposure -= 2.0f;
+  scene.background = vec3(0.0f);
+  return scene;
+}
+
 SceneSnapshot analytic_scene(int size) {
   SceneSnapshot scene;
   Medium ball;

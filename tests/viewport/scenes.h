@@ -23,6 +23,10 @@ SceneSnapshot ash_scene(int resolution, int size);
 bool shared_files_here();
 SceneSnapshot shared_scene(const std::string& name, int size);
 
+/// densityAndHeat.vdb as a fire by dim light: thin enough to see the hot core, which a skin of a thousandth
+/// of its density hides at the usual density scale.
+SceneSnapshot fire_scene(int size);
+
 /// A scene of one analytic sphere in a box of haze, without any file.
 SceneSnapshot analytic_scene(int size);
 
