@@ -58,18 +58,21 @@ class GlRenderer final : public Renderer {
     if (own_context_) context_.emplace();
   }
   ~GlRenderer() override {
-    if (context_) context_->make_current();
+    if (context_) context_->try_make_current();
   }
 
   Frame render(const SceneSnapshot& scene, const Passes& passes, const Progress& progress) override;
   const RenderStats& stats() const override { return stats_; }
 
  private:
+  bool context_lost();
+  void make_context_again();
   std::vector<const passes::VolumeTextures*> upload(const FlatScene& flat);
   void build_maps(const FlatScene& flat, BatchState& batch, const std::function<bool()>& go_on);
   Frame render_once(const SceneSnapshot& scene, const Passes& passes, const Progress& progress);
 
   bool own_context_;
+  bool lost_ = false;  // the context has gone
   std::optional<gl::EglContext> context_;
   std::optional<GpuState> gpu_;
   RenderStats stats_;
@@ -159,18 +162,45 @@ Frame GlRenderer::render(const SceneSnapshot& scene, const Passes& passes, const
   if (passes.most < 1) throw std::invalid_argument("a picture takes at least one pass");
   try {
     return render_once(scene, passes, progress);
-  } catch (const ContextLost&) {
-    // A context of our own is made anew, once; a window makes its own.
-    gpu_.reset();
-    if (!own_context_) throw;
-    context_.reset();
-    context_.emplace();
+  } catch (const RenderCancelled&) {
+    throw;
+  } catch (const std::runtime_error&) {
+    // On a lost context whatever comes next fails: an upload, a shader, a query.
+    if (!context_lost()) throw;
+  }
+  make_context_again();
+  try {
     return render_once(scene, passes, progress);
+  } catch (const ContextLost&) {
+    make_context_again();
+    throw std::runtime_error(
+        "the OpenGL context was lost again in the same picture; the driver resets the GPU");
   }
 }
 
+// Asks whether the context has gone; once it has, it stays so until it is made anew.
+bool GlRenderer::context_lost() {
+  if (!lost_)
+    lost_ = (context_ && !context_->try_make_current()) || glGetGraphicsResetStatus() != GL_NO_ERROR;
+  return lost_;
+}
+
+// A context of our own is made anew; a window makes its own.
+void GlRenderer::make_context_again() {
+  lost_ = false;
+  if (!own_context_) {
+    gpu_.reset();
+    throw ContextLost();
+  }
+  context_.reset();
+  context_.emplace();
+  gpu_.reset();
+  // The names of what was lost mean nothing to the new context, which says so.
+  while (glGetError() != GL_NO_ERROR) continue;
+}
+
 Frame GlRenderer::render_once(const SceneSnapshot& scene, const Passes& passes, const Progress& progress) {
-  if (context_) context_->make_current();
+  if (context_lost()) throw ContextLost();
   const FlatScene whole = flatten(scene);
   if (whole.media.empty()) return empty_frame(scene);
   if (!gpu_) gpu_.emplace();
@@ -251,7 +281,7 @@ Frame GlRenderer::render_once(const SceneSnapshot& scene, const Passes& passes, 
         render_part(exact_parts[b], gpu_->exact_batches[b], pass, pass == map_passes);
     ++pass;
   } while (refinement.wants_another(pass, [&] { return gather(pass); }));
-  if (glGetGraphicsResetStatus() != GL_NO_ERROR) throw ContextLost();
+  if (context_lost()) throw ContextLost();
 
   Frame frame = gather(pass);
   gl::check_errors("a frame");

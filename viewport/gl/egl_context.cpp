@@ -48,14 +48,21 @@ EglContext::EglContext() : state_(std::make_unique<State>()) {
     EGLConfig config = nullptr;
     EGLint configs = 0;
     if (!eglChooseConfig(display, config_attributes, &config, 1, &configs) || configs == 0) continue;
-    constexpr EGLint context_attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                             4,
-                                             EGL_CONTEXT_MINOR_VERSION,
-                                             5,
-                                             EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                             EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                             EGL_NONE};
-    const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, context_attributes);
+    // Without the last pair a reset of the GPU is never told of; a driver that does not know it goes without.
+    EGLint context_attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                   4,
+                                   EGL_CONTEXT_MINOR_VERSION,
+                                   5,
+                                   EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                   EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                   EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY,
+                                   EGL_LOSE_CONTEXT_ON_RESET,
+                                   EGL_NONE};
+    EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, context_attributes);
+    if (context == EGL_NO_CONTEXT) {
+      context_attributes[6] = EGL_NONE;
+      context = eglCreateContext(display, config, EGL_NO_CONTEXT, context_attributes);
+    }
     if (context == EGL_NO_CONTEXT) continue;
     if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
       eglDestroyContext(display, context);
@@ -80,8 +87,12 @@ EglContext::~EglContext() {
 EglContext::EglContext(EglContext&&) noexcept = default;
 EglContext& EglContext::operator=(EglContext&&) noexcept = default;
 
+bool EglContext::try_make_current() const {
+  return eglMakeCurrent(state_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, state_->context) == EGL_TRUE;
+}
+
 void EglContext::make_current() const {
-  if (!eglMakeCurrent(state_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, state_->context))
+  if (!try_make_current())
     throw std::runtime_error("the OpenGL context cannot be made current on this thread");
 }
 

@@ -17,6 +17,8 @@ class EglContext {
   EglContext& operator=(EglContext&&) noexcept;
 
   void make_current() const;
+  /// False where the context has gone.
+  bool try_make_current() const;
   void release_current() const;
 
  private:
