@@ -22,6 +22,10 @@ struct AddNode {
 struct RemoveNode {
   NodeId node;
 };
+/// Puts another node in the place of the one with its number, name, parent and connections.
+struct ReplaceNode {
+  NodePtr node;
+};
 struct RenameNode {
   NodeId node;
   std::string name;
@@ -54,19 +58,20 @@ struct SetParent {
 struct SetSelection {
   std::vector<NodeId> nodes;  // in the order of selection
 };
-/// What a scene file says of a type beyond what is known of it here.
+/// What a scene file says of a type beyond what is known of it here. Under the name "": of the scene itself.
 struct KeptType {
-  int version = 1;
-  std::string requirement;         // "NAME VERSION" of the plug-in; may be empty
-  std::vector<std::string> lines;  // of the type's section, word for word
+  int version = 1;                     // of the type in the file
+  std::string plugin, plugin_version;  // that it needs
+  std::vector<std::string> lines;      // of the type's section, word for word
+  bool operator==(const KeptType&) const = default;
 };
 struct SetKeptType {
   std::string type;
   std::optional<KeptType> kept;
 };
 
-using Edit = std::variant<AddNode, RemoveNode, RenameNode, SetValue, SetInput, SetLock, AddAttribute,
-                          RemoveAttribute, SetParent, SetSelection, SetKeptType>;
+using Edit = std::variant<AddNode, RemoveNode, ReplaceNode, RenameNode, SetValue, SetInput, SetLock,
+                          AddAttribute, RemoveAttribute, SetParent, SetSelection, SetKeptType>;
 
 /// Whether the edit changes what a scene file would hold. A selection does not.
 inline bool changes_scene(const Edit& edit) {

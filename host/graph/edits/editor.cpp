@@ -7,6 +7,7 @@
 
 #include "host/graph/graph_error.h"
 #include "host/graph/model/hierarchy.h"
+#include "host/graph/values/words.h"
 
 namespace plinian::graph {
 
@@ -23,7 +24,7 @@ namespace {
 
 void check_name(const std::string& name) {
   if (!is_node_name(name))
-    throw GraphError("'" + name + "' cannot name a node: letters, digits and _, with ':' after a namespace");
+    throw GraphError(shown(name) + " cannot name a node: letters, digits and _, with ':' after a namespace");
 }
 
 void check_parent(const Graph& graph, const NodeType& type, const std::string& name, NodeId parent) {
@@ -144,7 +145,7 @@ void Editor::set_parent(const std::vector<NodeId>& nodes, NodeId parent) {
       throw GraphError(node.name + " (" + node.type->name() + ") has no place in the transform hierarchy");
     check_parent(graph_, *node.type, node.name, parent);
     if (node.parent == parent) continue;
-    if (parent) {
+    if (parent == id || (parent && !graph_.children(id).empty())) {
       auto chain = ancestors(graph_, parent);
       chain.insert(chain.begin(), parent);
       if (const auto above = std::find(chain.begin(), chain.end(), id); above != chain.end()) {
@@ -156,6 +157,23 @@ void Editor::set_parent(const std::vector<NodeId>& nodes, NodeId parent) {
     }
     history_.perform(SetParent{id, parent});
   }
+}
+
+void Editor::set_kept(NodeId id, std::vector<KeptLine> kept) {
+  Node node = *graph_.find(id);
+  node.kept = std::move(kept);
+  history_.perform(ReplaceNode{std::make_shared<const Node>(std::move(node))});
+}
+
+void Editor::set_kept_type(const std::string& type, std::optional<KeptType> kept) {
+  const auto before = graph_.kept_types().find(type);
+  const bool there = before != graph_.kept_types().end();
+  if (there ? kept && *kept == before->second : !kept) return;
+  history_.perform(SetKeptType{type, std::move(kept)});
+}
+
+void Editor::replace_node(Node node) {
+  history_.perform(ReplaceNode{std::make_shared<const Node>(std::move(node))});
 }
 
 void Editor::select(const std::vector<NodeId>& nodes) {

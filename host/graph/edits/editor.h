@@ -49,6 +49,15 @@ class Editor {
 
   void select(const std::vector<NodeId>& nodes);
 
+  /// Keeps lines of a scene file with a node, or what a file says of a type (null: forgets it).
+  void set_kept(NodeId node, std::vector<KeptLine> kept);
+  void set_kept_type(const std::string& type, std::optional<KeptType> kept);
+  /// Puts a node of another type in the place of one without connections; number, name and parent stay.
+  void replace_node(Node node);
+
+  Graph& graph() { return graph_; }
+  History& history() { return history_; }
+
   /// Why the attribute cannot be set, as "ball.density is locked"; empty where it can.
   std::string set_problem(const Plug& plug) const;
 

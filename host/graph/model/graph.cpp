@@ -6,6 +6,7 @@
 
 #include "core/scene/nearest_word.h"
 #include "host/graph/graph_error.h"
+#include "host/graph/values/words.h"
 
 namespace plinian::graph {
 
@@ -30,7 +31,7 @@ const Node& Graph::get(std::string_view name) const {
   if (const Node* node = find(name)) return *node;
   std::vector<std::string> known;
   for (const Node* node : nodes()) known.push_back(node->name);
-  throw GraphError("there is no node '" + std::string(name) + "'" + did_you_mean(name, known));
+  throw GraphError("there is no node " + shown(name) + did_you_mean(name, known));
 }
 
 std::vector<const Node*> Graph::nodes() const {
@@ -63,8 +64,7 @@ std::string Graph::name_of(const Plug& plug) const {
 
 Plug Graph::plug(std::string_view name) const {
   const std::size_t dot = name.find('.');
-  if (dot == name.npos)
-    throw GraphError("'" + std::string(name) + "' names no attribute: write NODE.ATTRIBUTE");
+  if (dot == name.npos) throw GraphError(shown(name) + " names no attribute: write NODE.ATTRIBUTE");
   return plug(get(name.substr(0, dot)), name.substr(dot + 1));
 }
 
@@ -72,7 +72,7 @@ Plug Graph::plug(const Node& node, std::string_view path) {
   const Schema& schema = *node.schema;
   std::string plain = node.type->current_path(path);
   const auto fail = [&](const std::string& why) -> Plug {
-    throw GraphError(node.name + "." + std::string(path) + ": " + why);
+    throw GraphError(node.name + ": " + shown(path) + " " + why);
   };
   Plug plug{node.id};
   const std::size_t open = plain.find('['), close = plain.find(']');
@@ -82,7 +82,7 @@ Plug Graph::plug(const Node& node, std::string_view path) {
     const char* last = close == plain.npos ? first : plain.data() + close;
     const auto [end, error] = std::from_chars(first, last, plug.element);
     if (error != std::errc() || end != last || plug.element < 0 || plug.element > 1'000'000'000)
-      return fail("an element is written [0], [1], ...");
+      return fail("is no attribute: an element is written [0], [1], ...");
     array_length = open;
     plain.erase(open, close - open + 1);
   }
@@ -102,7 +102,7 @@ Plug Graph::plug(const Node& node, std::string_view path) {
   if (plug.attribute == no_attribute) {
     const std::string kind =
         node.type->is_unknown() ? ", whose type " + node.type->name() + " is not known here" : "";
-    throw GraphError("node '" + node.name + "' (" + node.type->name() + ") has no attribute '" + plain + "'" +
+    throw GraphError("node '" + node.name + "' (" + node.type->name() + ") has no attribute " + shown(plain) +
                      did_you_mean(plain, schema.paths()) + kind);
   }
   const AttributeIndex array = schema[plug.attribute].array;

@@ -100,6 +100,7 @@ class Graph {
 
   Edit apply_one(const AddNode& edit);
   Edit apply_one(const RemoveNode& edit);
+  Edit apply_one(const ReplaceNode& edit);
   Edit apply_one(const RenameNode& edit);
   Edit apply_one(const SetValue& edit);
   Edit apply_one(const SetInput& edit);

@@ -78,6 +78,19 @@ Edit Graph::apply_one(const RemoveNode& edit) {
   return AddNode{node};
 }
 
+Edit Graph::apply_one(const ReplaceNode& edit) {
+  std::shared_ptr<Node>& node = nodes_[edit.node->id.value];
+  assert(node && node->name == edit.node->name && node->parent == edit.node->parent);
+  ReplaceNode inverse{std::move(node)};
+  if (edit.node->type->spec().hierarchical)
+    children_[edit.node->parent.value].insert(edit.node->id);
+  else
+    children_[edit.node->parent.value].erase(edit.node->id);
+  node = std::make_shared<Node>(*edit.node);
+  node->epoch = epoch_;
+  return inverse;
+}
+
 Edit Graph::apply_one(const RenameNode& edit) {
   Node& node = changeable(edit.node);
   RenameNode inverse{edit.node, node.name};

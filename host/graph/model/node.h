@@ -42,7 +42,6 @@ struct Node {
   std::vector<Input> inputs;        // in order of attribute, element and component
   std::vector<Plug> locked;         // in order
   std::vector<KeptLine> kept;       // in the order of the file
-  int file_version = 0;             // of its type, where the file's was newer than ours
   std::uint64_t epoch = 0;          // the graph's own book-keeping
 
   /// What was set, or null. An element of -1 is no element.

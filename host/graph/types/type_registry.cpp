@@ -3,6 +3,7 @@
 
 #include "core/scene/nearest_word.h"
 #include "host/graph/graph_error.h"
+#include "host/graph/values/words.h"
 
 namespace plinian::graph {
 
@@ -29,7 +30,7 @@ NodeTypePtr TypeRegistry::find(std::string_view name) const {
 
 NodeTypePtr TypeRegistry::get(std::string_view name) const {
   if (const NodeTypePtr type = find(name)) return type;
-  throw GraphError("unknown node type '" + std::string(name) + "'" + did_you_mean(name, names()));
+  throw GraphError("unknown node type " + shown(name) + did_you_mean(name, names()));
 }
 
 std::vector<std::string> TypeRegistry::names() const {

@@ -6,6 +6,7 @@
 
 #include "core/scene/nearest_word.h"
 #include "host/graph/graph_error.h"
+#include "host/graph/values/words.h"
 
 namespace plinian::graph {
 
@@ -38,7 +39,7 @@ AttributeType type_of_name(std::string_view name) {
     if (name == traits[i].name) return AttributeType(i);
     names.push_back(traits[i].name);
   }
-  throw GraphError("unknown attribute type '" + std::string(name) + "'" + did_you_mean(name, names));
+  throw GraphError("unknown attribute type " + shown(name) + did_you_mean(name, names));
 }
 
 int component_count(AttributeType type) {

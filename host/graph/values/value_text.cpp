@@ -45,8 +45,7 @@ std::span<const Unit> units_of(AttributeType type) {
 [[noreturn]] void refuse(const AttributeSpec& spec, std::span<const Word> words) {
   std::string got;
   for (const Word& word : words) got += (got.empty() ? "" : " ") + word.text;
-  if (got.size() > 60) got = got.substr(0, 57) + "...";
-  throw GraphError("expects " + expectation(spec) + ", not '" + got + "'");
+  throw GraphError("expects " + expectation(spec) + ", not " + shown(got));
 }
 
 // Components of a vector: words, each of which may hold several with commas between.
@@ -148,7 +147,7 @@ Value read_choice(const AttributeSpec& spec, std::span<const Word> words) {
   if (parse_number(words[0].text, number))
     for (const Choice& choice : spec.choices)
       if (number == choice.value) return number;
-  throw GraphError("'" + words[0].text + "' is none of " + join(known) + did_you_mean(words[0].text, known));
+  throw GraphError(shown(words[0].text) + " is none of " + join(known) + did_you_mean(words[0].text, known));
 }
 
 Value read_one_number(const AttributeSpec& spec, std::span<const Word> words) {
@@ -201,7 +200,7 @@ Value read_node(const AttributeSpec& spec, std::span<const Word> words, const No
   if (words.size() != 1) refuse(spec, words);
   if (words[0].text == "none") return NodeId();
   const NodeId id = names.id_of ? names.id_of(words[0].text) : NodeId();
-  if (!id) throw GraphError("there is no node '" + words[0].text + "'");
+  if (!id) throw GraphError("there is no node " + shown(words[0].text));
   return id;
 }
 
@@ -217,7 +216,7 @@ std::string write_number(double number) {
 double read_number(std::string_view word) {
   double number = 0.0;
   if (!parse_number(word, number) || !std::isfinite(number))
-    throw GraphError("expects a number, not '" + std::string(word) + "'");
+    throw GraphError("expects a number, not " + shown(word));
   return number;
 }
 

@@ -121,4 +121,12 @@ std::string quote_if_needed(std::string_view text) {
   return plain ? std::string(text) : quote(text);
 }
 
+std::string shown(std::string_view text) {
+  const bool cut = text.size() > 60;
+  std::string result = quote(cut ? text.substr(0, 57) : text);
+  result.front() = result.back() = '\'';
+  if (cut) result.insert(result.size() - 1, "...");
+  return result;
+}
+
 }  // namespace plinian::graph

@@ -24,4 +24,7 @@ std::string quote(std::string_view text);
 /// The text as it is where it reads back as one plain word, quoted otherwise.
 std::string quote_if_needed(std::string_view text);
 
+/// A text of unknown origin as an error line may show it: in one line, shortened, without control characters.
+std::string shown(std::string_view text);
+
 }  // namespace plinian::graph

@@ -29,8 +29,8 @@ TEST(Graph, PlugsHaveNamesWithElementsAndComponents) {
   EXPECT_EQ(message_of([&] { scene.plug("f.x"); }), "there is no node 'f' (did you mean 'e'?)");
   EXPECT_EQ(message_of([&] { scene.plug("e.wieght"); }),
             "node 'e' (every) has no attribute 'wieght' (did you mean 'weight'?)");
-  EXPECT_EQ(message_of([&] { scene.plug("e.weight[1]"); }), "e.weight[1]: is no array there");
-  EXPECT_EQ(message_of([&] { scene.plug("e.key.time[1]"); }), "e.key.time[1]: is no array there");
+  EXPECT_EQ(message_of([&] { scene.plug("e.weight[1]"); }), "e: 'weight[1]' is no array there");
+  EXPECT_EQ(message_of([&] { scene.plug("e.key.time[1]"); }), "e: 'key.time[1]' is no array there");
   EXPECT_NE(message_of([&] { scene.plug("e.points[-1]"); }).find("an element is written"), std::string::npos);
   EXPECT_NE(message_of([&] { scene.plug("e.points[1"); }).find("an element is written"), std::string::npos);
   EXPECT_NE(message_of([&] { scene.plug("e.axis.w"); }).find("no attribute 'axis.w'"), std::string::npos);

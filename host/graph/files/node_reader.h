@@ -1,0 +1,58 @@
+// The lines of a node in a scene file, made into a node: migrated, parsed, and kept where they mean nothing
+// here.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "host/graph/edits/editor.h"
+#include "host/graph/files/scene_sections.h"
+
+namespace plinian::graph {
+
+/// What a scene says that is no reason to refuse it; `line` is 0 where none is to blame.
+using WarnLine = std::function<void(int line, const std::string& message)>;
+
+/// A node as far as it can be read before the others are there.
+struct NodeText {
+  struct Deferred {
+    std::string path;  // of the attribute
+    std::string text;  // reference: the name; connection: NODE.ATTRIBUTE
+    SceneLine line;
+  };
+  Node node;  // without id, name, parent and connections
+  std::vector<Deferred> references, connections, locks;
+};
+
+/// Reads nodes of one type, given what the scene says of it.
+class NodeReader {
+ public:
+  /// section: the scene's section of the type; newer: the scene is of a newer version, so that lines unknown
+  /// here are kept instead of refused.
+  NodeReader(NodeTypePtr type, const TypeSection& section, bool newer);
+
+  /// Throws GraphError, without the line's place, through `fail_at`, for what no scene holds.
+  NodeText read(const std::vector<SceneLine>& lines, const WarnLine& warn,
+                const std::function<void(int line, const std::string&)>& fail) const;
+
+  /// What is to be kept of the type's section: of an unknown type all, of a known one what is not known of
+  /// it.
+  KeptType kept() const;
+  bool keeps_anything() const;
+  const NodeTypePtr& type() const { return type_; }
+
+ private:
+  NodeTypePtr type_;
+  TypeSection section_;
+  bool newer_;
+  std::vector<std::pair<AttributeIndex, Value>> other_defaults_;  // in the scene than here
+  std::vector<std::string> unknown_lines_;                        // of the section
+};
+
+/// The second half, when all nodes are there: references, connections and locks. What cannot be used is kept.
+/// node_of: the node that the scene calls by a name; 0 where there is none.
+void finish_node(Editor& editor, NodeId node, const NodeText& text,
+                 const std::function<NodeId(std::string_view)>& node_of, const WarnLine& warn);
+
+}  // namespace plinian::graph

@@ -1,0 +1,206 @@
+// Reads scenes: first all nodes, then what refers to them.
+#include "host/graph/files/scene_reader.h"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <unordered_map>
+
+#include "host/graph/files/node_reader.h"
+#include "host/graph/files/scene_sections.h"
+#include "host/graph/files/scene_writer.h"
+#include "host/graph/graph_error.h"
+
+namespace plinian::graph {
+
+namespace {
+
+constexpr std::size_t max_warnings = 100;
+
+class SceneReader {
+ public:
+  SceneReader(const std::string& name, const TypeRegistry& registry, Editor& editor,
+              const std::string& name_space)
+      : name_(name),
+        registry_(registry),
+        editor_(editor),
+        prefix_(name_space.empty() ? "" : name_space + ":") {}
+
+  SceneReport read(const SceneSections& scene) {
+    const History::Scope scope(editor_.history(), "open");
+    greet(scene);
+    prepare_types(scene);
+    for (const NodeSection& section : scene.nodes) add_node(section, scene.is_newer());
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) place(scene.nodes[i], report_.nodes[i]);
+    const auto node_of = [this](std::string_view name) {
+      const auto found = by_name_.find(std::string(name));
+      return found == by_name_.end() ? NodeId() : found->second;
+    };
+    const WarnLine warn = [this](int line, const std::string& message) { add_warning(line, message); };
+    for (std::size_t i = 0; i < texts_.size(); ++i)
+      finish_node(editor_, report_.nodes[i], texts_[i], node_of, warn);
+    count_unknown();
+    if (hidden_warnings_ > 0)
+      report_.warnings.push_back(name_ + ": and " + std::to_string(hidden_warnings_) + " more warnings");
+    return std::move(report_);
+  }
+
+ private:
+  void add_warning(int line, const std::string& message) {
+    if (report_.warnings.size() < max_warnings)
+      report_.warnings.push_back(name_ + (line ? ":" + std::to_string(line) : "") + ": " + message);
+    else
+      ++hidden_warnings_;
+  }
+  [[noreturn]] void fail(int line, const std::string& message) const {
+    throw GraphError(name_ + ":" + std::to_string(line) + ": " + message);
+  }
+
+  void greet(const SceneSections& scene) {
+    const std::string version = std::to_string(scene.major) + "." + std::to_string(scene.minor);
+    if (scene.major > scene_major_version) {
+      report_.read_only = true;
+      add_warning(0, "was saved in the newer format " + version + ": it is opened read-only");
+    } else if (scene.is_newer()) {
+      add_warning(0,
+                  "was saved in the newer format " + version + ": what is not known here is kept as it is");
+    }
+    if (scene.unknown.empty()) return;
+    KeptType kept;
+    for (const SceneLine& line : scene.unknown) kept.lines.push_back(line.text);
+    editor_.set_kept_type("", kept);
+  }
+
+  void prepare_types(const SceneSections& scene) {
+    for (const TypeSection& section : scene.types) {
+      if (readers_.contains(section.name))
+        fail(section.line, "the type '" + section.name + "' is there twice");
+      NodeTypePtr type = registry_.find(section.name);
+      if (!type) type = NodeType::unknown(section.name, section.version);
+      const NodeReader& reader =
+          readers_.emplace(section.name, NodeReader(type, section, scene.is_newer())).first->second;
+      if (section.version > type->version() && !type->is_unknown())
+        add_warning(section.line, "the scene has version " + std::to_string(section.version) +
+                                      " of the type '" + section.name + "', here is " +
+                                      std::to_string(type->version()));
+      if (!reader.keeps_anything()) continue;
+      const KeptType kept = reader.kept();
+      const auto before = editor_.graph().kept_types().find(section.name);
+      if (before != editor_.graph().kept_types().end() && before->second != kept)
+        spelled_out_.emplace(section.name, &section);  // two scenes, two sets of defaults
+      else
+        editor_.set_kept_type(section.name, kept);
+    }
+  }
+
+  const NodeReader& reader_of(const NodeSection& section, bool newer) {
+    auto found = readers_.find(section.type);
+    if (found == readers_.end()) {
+      TypeSection none{section.type};
+      NodeTypePtr type = registry_.find(section.type);
+      if (type) none.version = type->version();
+      if (!type) type = NodeType::unknown(section.type, 1);
+      found = readers_.emplace(section.type, NodeReader(type, none, newer)).first;
+    }
+    return found->second;
+  }
+
+  void add_node(const NodeSection& section, bool newer) {
+    if (by_name_.contains(section.name)) fail(section.line, "the node '" + section.name + "' is there twice");
+    const WarnLine warn = [&](int line, const std::string& message) {
+      add_warning(line ? line : section.line, "node '" + section.name + "': " + message);
+    };
+    NodeText text =
+        reader_of(section, newer).read(section.lines, warn, [this](int line, const std::string& message) {
+          fail(line, message);
+        });
+    if (const auto spelled_out = spelled_out_.find(section.type); spelled_out != spelled_out_.end())
+      spell_out(*spelled_out->second, text.node);
+    Node node = std::move(text.node);
+    node.name = prefix_ + section.name;
+    const NodeId id = editor_.add_node(std::move(node));
+    by_name_.emplace(section.name, id);
+    report_.nodes.push_back(id);
+    texts_.push_back(std::move(text));
+  }
+
+  // Gives a node of an unknown type the defaults that its scene leaves to the type's section.
+  static void spell_out(const TypeSection& section, Node& node) {
+    const auto path_of = [](const std::string& line) {
+      const std::size_t begin = line.find('.'), end = line.find(' ', begin);
+      return begin == line.npos ? line : line.substr(begin, end - begin);
+    };
+    std::vector<KeptLine> missing;
+    for (const SceneLine& line : section.lines) {
+      bool there = false;
+      for (const KeptLine& kept : node.kept) there = there || path_of(kept.text) == path_of(line.text);
+      if (!there) missing.push_back({line.text});
+    }
+    node.kept.insert(node.kept.begin(), missing.begin(), missing.end());
+  }
+
+  void place(const NodeSection& section, NodeId id) {
+    if (section.parent.empty()) return;
+    const auto parent = by_name_.find(section.parent);
+    if (parent == by_name_.end()) fail(section.line, "there is no node " + shown(section.parent));
+    try {
+      editor_.set_parent({id}, parent->second);
+    } catch (const GraphError& error) {
+      fail(section.line, error.what());
+    }
+  }
+
+  void count_unknown() {
+    std::map<std::string, int> unknown;
+    for (const NodeId id : report_.nodes) {
+      const NodeType& type = *editor_.graph().find(id)->type;
+      if (type.is_unknown()) ++unknown[type.name()];
+    }
+    for (const auto& [type, count] : unknown) {
+      const auto kept = editor_.graph().kept_types().find(type);
+      const bool plugin = kept != editor_.graph().kept_types().end() && !kept->second.plugin.empty();
+      add_warning(0, "the node type '" + type + "' is not known" +
+                         (plugin ? ": it needs the plug-in " + kept->second.plugin : std::string()) + "; " +
+                         std::to_string(count) + (count == 1 ? " node is" : " nodes are") + " kept as " +
+                         (count == 1 ? "it is" : "they are"));
+    }
+  }
+
+  const std::string name_;
+  const TypeRegistry& registry_;
+  Editor& editor_;
+  const std::string prefix_;
+  SceneReport report_;
+  std::map<std::string, NodeReader> readers_;
+  std::map<std::string, const TypeSection*> spelled_out_;
+  std::unordered_map<std::string, NodeId> by_name_;
+  std::vector<NodeText> texts_;
+  std::size_t hidden_warnings_ = 0;
+};
+
+}  // namespace
+
+SceneReport read_scene(std::string_view text, const std::string& name, const TypeRegistry& registry,
+                       Editor& editor, const std::string& name_space) {
+  const SceneSections scene = read_sections(text, name);
+  return SceneReader(name, registry, editor, name_space).read(scene);
+}
+
+std::string read_text_file(const std::string& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) throw GraphError(path + ": is a folder");
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  if (!file) throw GraphError(path + ": cannot be read: " + std::strerror(errno));
+  const auto size = file.tellg();
+  if (size < 0) throw GraphError(path + ": cannot be read");
+  if (size > std::streamoff(1) << 30) throw GraphError(path + ": is larger than 1 GiB, no scene");
+  std::string text(std::size_t(size), '\0');
+  file.seekg(0);
+  if (size > 0 && !file.read(text.data(), size))
+    throw GraphError(path + ": cannot be read: " + std::strerror(errno));
+  return text;
+}
+
+}  // namespace plinian::graph

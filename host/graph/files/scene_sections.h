@@ -1,0 +1,43 @@
+// The outer shape of a scene file: its sections and lines, before they mean anything.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace plinian::graph {
+
+struct SceneLine {
+  std::string text;  // with its indentation
+  int number = 0;    // from 1
+};
+
+struct NodeSection {
+  std::string type, name, parent;  // parent: empty for none
+  int line = 0;
+  std::vector<SceneLine> lines;
+};
+
+struct TypeSection {
+  std::string name;
+  int version = 1;
+  std::string plugin, plugin_version;
+  int line = 0;
+  std::vector<SceneLine> lines;
+};
+
+struct SceneSections {
+  int major = 1, minor = 0;             // version of the file format
+  std::vector<SceneLine> requirements;  // "requires" lines
+  std::vector<SceneLine> unknown;       // lines that a newer version may know
+  std::vector<NodeSection> nodes;
+  std::vector<TypeSection> types;
+
+  bool is_newer() const;
+};
+
+/// Cuts a scene into its sections. name: of the file, for errors. Throws GraphError, with name and line, for
+/// a text that is no scene, was cut off, or has a line that a scene of its version has not.
+SceneSections read_sections(std::string_view text, const std::string& name);
+
+}  // namespace plinian::graph

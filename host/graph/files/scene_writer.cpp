@@ -1,0 +1,161 @@
+// Writes scenes.
+#include "host/graph/files/scene_writer.h"
+
+#include <algorithm>
+#include <map>
+#include <unordered_set>
+
+#include "core/files/atomic_file.h"
+#include "host/graph/files/attribute_declaration.h"
+
+namespace plinian::graph {
+
+namespace {
+
+std::string value_line(const Graph& graph, const Node& node, const StoredValue& stored) {
+  const SchemaAttribute& attribute = (*node.schema)[stored.attribute];
+  std::string line = "  .";
+  line += Graph::path_of(*node.schema, {node.id, stored.attribute, stored.element, -1});
+  const std::string text = write_value(attribute.spec, stored.value, graph.names());
+  if (!text.empty()) line += " " + text;
+  return line;
+}
+
+std::string connection_line(const std::string& path, const std::string& source) {
+  return "  ." + path + " <- " + source;
+}
+
+void add_kept_line(const Graph& graph, const KeptLine& kept, std::vector<std::string>& lines) {
+  if (!kept.source)
+    lines.push_back(kept.text);
+  else if (const Node* source = graph.find(kept.source))  // gone: the connection went with it
+    lines.push_back(connection_line(kept.path, source->name + "." + kept.source_path));
+}
+
+}  // namespace
+
+std::vector<std::string> node_lines(const Graph& graph, const Node& node) {
+  std::vector<std::string> lines;
+  const Schema& schema = *node.schema;
+  for (const AttributeIndex index : schema.top())
+    if (schema[index].dynamic)
+      for (const std::string& line : write_declaration(schema.declaration(index)))
+        lines.push_back("  add " + line);
+  // Values and connections in the order in which the attributes are declared.
+  auto input = node.inputs.begin();
+  const auto add_inputs_before = [&](AttributeIndex attribute, std::int32_t element) {
+    for (; input != node.inputs.end() &&
+           std::pair(input->attribute, input->element) < std::pair(attribute, element);
+         ++input)
+      lines.push_back(connection_line(
+          Graph::path_of(schema, {node.id, input->attribute, input->element, input->component}),
+          graph.name_of(input->source)));
+  };
+  for (const StoredValue& stored : node.values) {
+    const AttributeSpec& spec = schema[stored.attribute].spec;
+    if (!spec.storable || spec.type == AttributeType::data) continue;
+    add_inputs_before(stored.attribute, stored.element);
+    lines.push_back(value_line(graph, node, stored));
+  }
+  add_inputs_before(schema.size(), 0);
+  for (const Plug& plug : node.locked) lines.push_back("  lock ." + Graph::path_of(schema, plug));
+  for (const KeptLine& kept : node.kept) add_kept_line(graph, kept, lines);
+  return lines;
+}
+
+std::vector<std::string> type_lines(const NodeType& type) {
+  std::vector<std::string> lines;
+  const Schema& schema = *type.schema();
+  for (AttributeIndex index = 0; index < schema.size(); ++index) {
+    const SchemaAttribute& attribute = schema[index];
+    const AttributeType kind = attribute.spec.type;
+    if (!attribute.spec.storable || kind == AttributeType::compound || kind == AttributeType::data) continue;
+    std::string line = "  ." + attribute.path;
+    const std::string text = write_value(attribute.spec, attribute.spec.default_value);
+    if (!text.empty()) line += " " + text;
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+namespace {
+
+std::string scene_text(const Graph& graph, const std::vector<const Node*>& nodes) {
+  std::map<std::string, NodeTypePtr> types;
+  for (const Node* node : nodes) types.emplace(node->type->name(), node->type);
+  const auto kept_of = [&](const std::string& type) -> const KeptType* {
+    const auto kept = graph.kept_types().find(type);
+    return kept == graph.kept_types().end() ? nullptr : &kept->second;
+  };
+  struct Section {
+    int version;
+    std::string plugin, plugin_version;
+    std::vector<std::string> lines;
+  };
+  std::map<std::string, Section> sections;
+  std::map<std::string, std::string> plugins;
+  for (const auto& [name, type] : types) {
+    Section section{type->version(), type->spec().plugin, type->spec().plugin_version, type_lines(*type)};
+    if (const KeptType* kept = kept_of(name)) {
+      section.version = std::max(section.version, kept->version);
+      if (type->is_unknown()) {
+        section.plugin = kept->plugin;
+        section.plugin_version = kept->plugin_version;
+      }
+      section.lines.insert(section.lines.end(), kept->lines.begin(), kept->lines.end());
+    }
+    if (!section.plugin.empty()) plugins[section.plugin] = section.plugin_version;
+    sections.emplace(name, std::move(section));
+  }
+
+  std::string text = "plinian scene " + std::to_string(scene_major_version) + "." +
+                     std::to_string(scene_minor_version) + "\n";
+  const auto add_line = [&](const std::string& line) { (text += line) += '\n'; };
+  for (const auto& [name, version] : plugins) add_line("requires " + name + " " + version);
+  if (const KeptType* kept = kept_of(""))
+    for (const std::string& line : kept->lines) add_line(line);
+  for (const Node* node : nodes) {
+    ((text += "node ") += node->type->name()) += ' ';
+    text += node->name;
+    if (node->parent) (text += " under ") += graph.find(node->parent)->name;
+    text += '\n';
+    for (const std::string& line : node_lines(graph, *node)) add_line(line);
+  }
+  for (const auto& [name, section] : sections) {
+    std::string line = "type " + name + " " + std::to_string(section.version);
+    if (!section.plugin.empty()) line += " from " + section.plugin + " " + section.plugin_version;
+    add_line(line);
+    for (const std::string& inner : section.lines) add_line(inner);
+  }
+  add_line("end");
+  return text;
+}
+
+}  // namespace
+
+std::string write_scene(const Graph& graph) {
+  return scene_text(graph, graph.nodes());
+}
+
+std::string write_scene(const Graph& graph, const std::vector<NodeId>& ids) {
+  const std::unordered_set<NodeId> wanted(ids.begin(), ids.end());
+  // What the others drive is cut off in copies of the nodes.
+  std::vector<Node> copies;
+  for (const Node* node : graph.nodes())
+    if (wanted.contains(node->id)) copies.push_back(*node);
+  std::vector<const Node*> nodes;
+  for (Node& node : copies) {
+    std::erase_if(node.inputs, [&](const Input& input) { return !wanted.contains(input.source.node); });
+    std::erase_if(node.kept,
+                  [&](const KeptLine& kept) { return kept.source && !wanted.contains(kept.source); });
+    if (!wanted.contains(node.parent)) node.parent = {};
+    nodes.push_back(&node);
+  }
+  return scene_text(graph, nodes);
+}
+
+void save_scene(const std::string& path, const std::string& text) {
+  write_file_durably(path, text);
+}
+
+}  // namespace plinian::graph

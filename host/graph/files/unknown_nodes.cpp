@@ -1,0 +1,136 @@
+// Revives and forgets nodes, by way of the lines that a scene file has of them.
+#include "host/graph/files/unknown_nodes.h"
+
+#include "host/graph/files/node_reader.h"
+#include "host/graph/files/scene_writer.h"
+#include "host/graph/graph_error.h"
+
+namespace plinian::graph {
+
+namespace {
+
+std::vector<NodeId> nodes_of(const Graph& graph, const std::string& type, bool unknown) {
+  std::vector<NodeId> result;
+  for (const Node* node : graph.nodes())
+    if (node->type->name() == type && node->type->is_unknown() == unknown) result.push_back(node->id);
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::string> revive_nodes(Editor& editor, const NodeTypePtr& type) {
+  Graph& graph = editor.graph();
+  const std::vector<NodeId> nodes = nodes_of(graph, type->name(), true);
+  std::vector<std::string> warnings;
+  if (nodes.empty()) return warnings;
+  TypeSection section{type->name(), type->version()};
+  const auto found = graph.kept_types().find(type->name());
+  if (found != graph.kept_types().end()) {
+    section.version = found->second.version;
+    for (const std::string& line : found->second.lines) section.lines.push_back({line, 0});
+  }
+  const NodeReader reader(type, section, true);
+  editor.set_kept_type(type->name(), reader.keeps_anything() ? std::optional(reader.kept()) : std::nullopt);
+  const auto node_of = [&](std::string_view name) {
+    const Node* node = graph.find(name);
+    return node ? node->id : NodeId();
+  };
+  std::vector<NodeText> texts;
+  std::string current;
+  const WarnLine warn = [&](int, const std::string& message) {
+    warnings.push_back(current + ": " + message);
+  };
+  for (const NodeId id : nodes) {
+    const Node& old = *graph.find(id);
+    current = old.name;
+    std::vector<SceneLine> lines;
+    for (const std::string& line : node_lines(graph, old)) lines.push_back({line, 0});
+    NodeText text = reader.read(lines, warn, [&](int, const std::string& message) { warn(0, message); });
+    Node node = std::move(text.node);
+    node.id = old.id;
+    node.name = old.name;
+    node.parent = old.parent;
+    editor.replace_node(std::move(node));
+    texts.push_back(std::move(text));
+  }
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    current = graph.find(nodes[i])->name;
+    finish_node(editor, nodes[i], texts[i], node_of, warn);
+  }
+  // Others that were waiting for one of these.
+  for (const Node* node : graph.nodes()) {
+    if (node->type->is_unknown()) continue;
+    NodeText waiting;
+    std::vector<KeptLine> rest;
+    for (const KeptLine& kept : node->kept) {
+      const Node* source = kept.source ? graph.find(kept.source) : nullptr;
+      if (source && !source->type->is_unknown())
+        waiting.connections.push_back(
+            {kept.path,
+             source->name + "." + kept.source_path,
+             {"  ." + kept.path + " <- " + source->name + "." + kept.source_path, 0}});
+      else
+        rest.push_back(kept);
+    }
+    if (waiting.connections.empty()) continue;
+    const NodeId id = node->id;
+    current = node->name;
+    editor.set_kept(id, std::move(rest));
+    finish_node(editor, id, waiting, node_of, warn);
+  }
+  editor.history().clear();
+  return warnings;
+}
+
+void forget_type(Editor& editor, const NodeTypePtr& type) {
+  Graph& graph = editor.graph();
+  const std::vector<NodeId> nodes = nodes_of(graph, type->name(), false);
+  if (nodes.empty()) return;
+  KeptType kept{type->version(), type->spec().plugin, type->spec().plugin_version, type_lines(*type)};
+  if (const auto before = graph.kept_types().find(type->name()); before != graph.kept_types().end()) {
+    kept.version = std::max(kept.version, before->second.version);
+    kept.lines.insert(kept.lines.end(), before->second.lines.begin(), before->second.lines.end());
+  }
+  // First what the nodes drive becomes lines of those that are driven, ...
+  for (const NodeId id : nodes)
+    for (const Connection& connection : std::set<Connection>(graph.outgoing(id))) {
+      const NodeId driven_id = connection.destination.node;
+      const Node& driven = *graph.find(driven_id);
+      std::vector<KeptLine> lines = driven.kept;
+      lines.push_back({"", Graph::path_of(*driven.schema, connection.destination), id,
+                       Graph::path_of(*graph.find(id)->schema, connection.source)});
+      editor.history().perform(SetInput{connection.destination, std::nullopt});
+      editor.set_kept(driven_id, std::move(lines));
+    }
+  // ... then they themselves.
+  const NodeTypePtr unknown = NodeType::unknown(type->name(), type->version());
+  for (const NodeId id : nodes) {
+    const Node& node = *graph.find(id);
+    Node copy;
+    copy.id = node.id;
+    copy.name = node.name;
+    copy.parent = node.parent;
+    copy.type = unknown;
+    copy.schema = unknown->schema();
+    std::vector<SceneLine> lines;
+    for (const std::string& line : node_lines(graph, node)) lines.push_back({line, 0});
+    const NodeReader reader(unknown, TypeSection{type->name()}, true);
+    NodeText text = reader.read(
+        lines, [](int, const std::string&) {}, [](int, const std::string&) {});
+    copy.kept = std::move(text.node.kept);
+    for (const Input& input : std::vector<Input>(node.inputs))
+      editor.history().perform(SetInput{{id, input.attribute, input.element, input.component}, std::nullopt});
+    editor.replace_node(std::move(copy));
+    finish_node(
+        editor, id, text,
+        [&](std::string_view name) {
+          const Node* source = graph.find(name);
+          return source ? source->id : NodeId();
+        },
+        [](int, const std::string&) {});
+  }
+  editor.set_kept_type(type->name(), std::move(kept));
+  editor.history().clear();
+}
+
+}  // namespace plinian::graph

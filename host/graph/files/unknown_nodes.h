@@ -1,0 +1,20 @@
+// Nodes whose type comes or goes while a scene is open: with its plug-in.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/graph/edits/editor.h"
+
+namespace plinian::graph {
+
+/// Makes nodes of a type that was unknown what they were, connections and all, once the type is registered.
+/// Returns warnings about lines that still mean nothing. Forgets the steps of undo where it changed anything:
+/// they speak of attributes by their place.
+std::vector<std::string> revive_nodes(Editor& editor, const NodeTypePtr& type);
+
+/// Turns the nodes of a type into unknown ones that keep every line and connection. Forgets the steps of
+/// undo.
+void forget_type(Editor& editor, const NodeTypePtr& type);
+
+}  // namespace plinian::graph
