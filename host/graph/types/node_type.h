@@ -41,6 +41,7 @@ struct NodeTypeSpec {
   /// becomes the error of the output. Never touches the graph: everything it may read is in the context.
   std::function<void(ComputeContext& context, AttributeIndex output)> compute;
   bool concurrent = true;       // compute may run on several threads at a time
+  bool time_source = false;     // tells the current time; everything downstream depends on it
   bool hierarchical = false;    // has a place in the transform hierarchy
   bool holds_children = false;  // ... and may be a parent in it
   bool follows = false;         // deleted with the last node that it drives, as an animation curve is

@@ -19,8 +19,9 @@ std::vector<double> monotone_slopes(const std::vector<double>& x, const std::vec
 
 double hermite(double x0, double y0, double m0, double x1, double y1, double m1, double x) {
   const double width = x1 - x0, t = (x - x0) / width, t2 = t * t, t3 = t2 * t;
-  return (2.0 * t3 - 3.0 * t2 + 1.0) * y0 + (t3 - 2.0 * t2 + t) * width * m0 + (3.0 * t2 - 2.0 * t3) * y1 +
-         (t3 - t2) * width * m1;
+  const double y = (2.0 * t3 - 3.0 * t2 + 1.0) * y0 + (t3 - 2.0 * t2 + t) * width * m0 +
+                   (3.0 * t2 - 2.0 * t3) * y1 + (t3 - t2) * width * m1;
+  return std::clamp(y, std::min(y0, y1), std::max(y0, y1));
 }
 
 vec3 evaluate(const Ramp& ramp, float position) {

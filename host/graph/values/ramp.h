@@ -34,7 +34,7 @@ vec3 evaluate(const Ramp& ramp, float position);
 /// [Fritsch and Butland 1984: weighted harmonic means of the secants]; ends are flat.
 std::vector<double> monotone_slopes(const std::vector<double>& x, const std::vector<double>& y);
 
-/// The cubic Hermite curve between (x0, y0) with slope m0 and (x1, y1) with slope m1.
+/// The monotone cubic Hermite curve between (x0, y0) with slope m0 and (x1, y1) with slope m1; in [y0, y1].
 double hermite(double x0, double y0, double m0, double x1, double y1, double m1, double x);
 
 }  // namespace plinian::graph

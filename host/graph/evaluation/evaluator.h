@@ -1,0 +1,143 @@
+// Keeps the results of a living graph: knows what is dirty, evaluates here or on workers, and remembers.
+//
+// Dirtiness is pushed along `affects` and connections when something is edited, which runs no code of node
+// types; values are pulled when somebody asks. Everything here is called on the thread that edits the graph.
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <set>
+#include <thread>
+
+#include "host/graph/evaluation/evaluation.h"
+
+namespace plinian::graph {
+
+class Evaluator : private GraphObserver {
+ public:
+  struct Options {
+    std::size_t cache_bytes = std::size_t(2) << 30;  // of remembered values
+    unsigned workers = 0;                            // 0: one for each processor
+  };
+  explicit Evaluator(const Graph& graph);
+  Evaluator(const Graph& graph, const Options& options);
+  ~Evaluator() override;
+  Evaluator(const Evaluator&) = delete;
+  Evaluator& operator=(const Evaluator&) = delete;
+
+  /// The current time [frames]: an input like any other, whose change is no edit.
+  double time() const { return time_; }
+  void set_time(double frames);
+
+  /// The value of a plug, computed now where it is dirty.
+  ResultPtr evaluate(const Plug& plug);
+  /// As at another time; nothing of it becomes the current state.
+  ResultPtr evaluate_at(double frames, const Plug& plug);
+
+  /// What a request came to. results: of the plugs, in order; empty where it was cancelled.
+  struct Outcome {
+    bool cancelled = false;
+    std::vector<ResultPtr> results;
+  };
+  using RequestId = std::uint64_t;
+  /// Evaluates plugs on a worker, from a snapshot of this moment. An edit that changes any of them cancels
+  /// the request without waiting for it. `done` is called by poll.
+  RequestId request(std::vector<Plug> plugs, std::function<void(const Outcome&)> done);
+  void cancel(RequestId id);
+  /// Takes over what workers have finished; results that an edit has overtaken are dropped. Returns how many
+  /// requests ended.
+  std::size_t poll();
+  /// Polls until no request is in flight.
+  void finish();
+
+  struct Progress {
+    Plug plug;
+    double fraction = 0.0;  // [0, 1]
+    std::string what;
+  };
+  /// What running requests said last.
+  std::vector<Progress> progress() const;
+
+  /// Whether an output would have to be computed or found again.
+  bool is_dirty(const Plug& output) const;
+  /// The last result of an output that was no error, however old, or null: the last good picture.
+  ResultPtr last_good(const Plug& output) const;
+  /// "computed nothing", or "blocked by noise1.out: ...": the error as it reads at a plug; empty where there
+  /// is none.
+  std::string error_text(const Plug& plug, const Result& result) const;
+
+  /// Failures since the last call, one line for each cause, however much is blocked by it.
+  std::vector<std::string> take_reports();
+
+  /// Computes everything upstream of a plug anew and compares it with what is remembered. Each line names an
+  /// output whose node type declares a wrong `affects`, or that does not depend on its inputs alone.
+  std::vector<std::string> check(const Plug& plug);
+
+  const EvaluationCounters& counters() const { return counters_; }
+  std::uint64_t dirtied() const { return dirtied_; }  // outputs, ever
+  ValueCache& cache() { return cache_; }
+  /// Forgets all results, as when a node type is replaced by another of the same name and version.
+  void forget();
+
+ private:
+  struct OutputState {
+    ResultPtr result, last_good;
+    bool clean = false;
+    std::uint32_t pending = 0;     // requests that are computing it
+    std::uint64_t dirtied_at = 0;  // moment
+  };
+  struct Request {
+    RequestId id = 0;
+    std::vector<Plug> plugs;
+    std::function<void(const Outcome&)> done;
+    GraphSnapshotPtr snapshot;
+    double time = 0.0;
+    std::uint64_t moment = 0;
+    std::unordered_map<Plug, ResultPtr> known;  // clean outputs at its edge
+    std::set<Plug> covered;                     // dirty outputs that it may compute
+    std::atomic<bool> cancelled{false};
+    mutable std::mutex progress_mutex;
+    Progress progress;
+    // Filled in by the worker.
+    std::vector<ResultPtr> results;
+    std::unordered_map<Plug, ResultPtr> computed;
+    EvaluationCounters counters;
+  };
+  using RequestPtr = std::shared_ptr<Request>;
+
+  void edited(const Edit& edit) override;
+  OutputState* state(const Plug& output);
+  const OutputState* state(const Plug& output) const;
+  void add_states(NodeId node);
+  void push_dirt(const Plug& plug);
+  void push_outputs(const Node& node);
+  void accept(const Plug& output, const ResultPtr& result);
+  void count(const EvaluationCounters& counters);
+  EvaluationServices services();
+  void cover(Request& request);
+  void end(const RequestPtr& request);
+  void work();
+
+  const Graph& graph_;
+  double time_ = 1.0;
+  ValueCache cache_;
+  std::vector<std::vector<OutputState>> states_;  // by node, then as the outputs of its schema
+  std::set<NodeId> time_sources_;
+  std::uint64_t moment_ = 1;  // counts edits and changes of time
+  std::map<Plug, std::string> failing_;
+  std::vector<std::string> reports_;
+  EvaluationCounters counters_;
+  std::uint64_t dirtied_ = 0;
+  std::recursive_mutex one_at_a_time_;
+
+  std::vector<RequestPtr> in_flight_;
+  RequestId last_request_ = 0;
+  std::mutex mutex_;  // guards what follows
+  std::condition_variable wake_, finished_;
+  std::deque<RequestPtr> waiting_, done_;
+  bool stopping_ = false;
+  unsigned worker_count_;
+  std::vector<std::thread> workers_;  // started with the first request
+};
+
+}  // namespace plinian::graph

@@ -1,0 +1,58 @@
+// Results by the hash of what they were computed from, so that coming back to a frame or undoing costs
+// nothing.
+#pragma once
+
+#include <list>
+#include <mutex>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "host/graph/evaluation/result.h"
+
+namespace plinian::graph {
+
+/// An input that a computation read at another time: part of what its result depends on, but known only
+/// afterwards.
+struct OtherTimeRead {
+  double time = 0.0;  // [frames]
+  AttributeIndex attribute = no_attribute;
+  std::int32_t element = -1;
+  Hash identity;  // of what was read
+};
+
+/// Safe to use from several threads. The values used longest ago go first; who they were stays known, so that
+/// what was computed from them can still be found.
+class ValueCache {
+ public:
+  struct Entry {
+    ResultPtr result;
+    std::vector<OtherTimeRead> reads;
+  };
+
+  /// budget: of values [bytes].
+  explicit ValueCache(std::size_t budget) : budget_(budget) {}
+
+  std::optional<Entry> find(Hash key);
+  void insert(Hash key, Entry entry);
+  void clear();
+
+  void set_budget(std::size_t bytes);
+  std::size_t bytes() const;  // held at the moment
+
+ private:
+  struct Stored {
+    Hash key;
+    Entry entry;
+    std::size_t bytes = 0;
+  };
+  void shrink();
+
+  mutable std::mutex mutex_;
+  std::list<Stored> entries_;  // the most recently used first; those without a value at the end
+  std::unordered_map<Hash, std::list<Stored>::iterator> by_key_;
+  std::list<Stored>::iterator first_empty_ = entries_.end();
+  std::size_t budget_, bytes_ = 0;
+};
+
+}  // namespace plinian::graph

@@ -1,0 +1,23 @@
+// The node types that the graph itself cannot do without.
+#pragma once
+
+#include <vector>
+
+#include "host/graph/types/type_registry.h"
+#include "host/graph/values/ramp.h"
+
+namespace plinian::graph {
+
+void add_time_node(TypeRegistry& registry);
+void add_anim_curve_node(TypeRegistry& registry);
+
+struct AnimKey {
+  double time = 0.0;  // [frames]
+  double value = 0.0;
+  Interpolation interpolation = Interpolation::smooth;  // to the next key
+};
+
+/// The curve through keys in any order; held before the first and behind the last one, 0 without keys.
+double evaluate_keys(std::vector<AnimKey> keys, double time);
+
+}  // namespace plinian::graph
