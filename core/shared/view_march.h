@@ -18,7 +18,7 @@ struct ViewControls {
   float quantum;  // [-] opacity gained between two light lookups
   float step;     // [voxels] between density samples
   float lead;     // [voxels] in [0, step): jitter of the density samples
-  float jitter;   // [-] in [0, 1): where in its quantum a lookup stands; negative: at its centroid
+  float place;    // [-] in (0, 1): share of a quantum's opacity in front of its lookup
   float cutoff;   // [-] transmittance at which the ray ends
 };
 
@@ -37,8 +37,8 @@ PLN_FN float pixel_hash(ivec2 pixel) {
   return float(x >> 8) * (1.0f / 16777216.0f);
 }
 
-/// Controls of pass number `pass` at a pixel. The first pass shades at centroids, without noise; later ones
-/// take their places from Roberts' R2 sequence, shifted per pixel, so that the mean converges to the
+/// Controls of pass number `pass` at a pixel. The first pass shades where half of a quantum's opacity is gained,
+/// without noise; later ones take their places from Roberts' R2 sequence, shifted per pixel, so that the mean converges to the
 /// integral.
 PLN_FN ViewControls view_controls(ivec2 pixel, int pass, float quantum, float step, float cutoff) {
   float shift = pixel_hash(pixel);
@@ -49,7 +49,7 @@ PLN_FN ViewControls view_controls(ivec2 pixel, int pass, float quantum, float st
   // Further passes sample density more finely, as what they add has to be finer.
   controls.step = pass == 0 ? step : pass < 4 ? 0.5f * step : 0.25f * step;
   controls.lead = pass == 0 ? 0.0f : controls.step * first;
-  controls.jitter = pass == 0 ? -1.0f : second;
+  controls.place = pass == 0 ? 0.5f : second;
   controls.cutoff = cutoff;
   return controls;
 }
@@ -187,17 +187,17 @@ PLN_FN ViewResult march_view(PLN_SCENE, vec3 origin, vec3 direction, float t_nea
     // they shrink with what is left. One always ends where alpha passes 0.5: that is the depth.
     float target = max(seen_mean - controls.quantum, 0.25f * seen_mean);
     if (result.depth > 1e29f) target = max(target, 0.5f);
-    // A lookup at a jittered place splits it in two.
-    float shading_t = -1.0f;
     float tau_target = log(seen_mean / target);
-    float tau_stop =
-        controls.jitter > 0.0f ? -log(1.0f - controls.jitter * (1.0f - target / seen_mean)) : tau_target;
+    // Where `place` of its opacity is gained the quantum is shaded: always in matter, never in a gap between
+    // two puffs, where there is more light than either sees.
+    float tau_place = -log(1.0f - controls.place * (1.0f - target / seen_mean));
+    float shading_t = -1.0f;
 
     float column[MEDIA_CAPACITY];  // [world * stored density] gathered in this quantum
     FOR_MEDIA column[m] = 0.0f;
     float tau = 0.0f;
-    float moment = 0.0f;  // of tau along t
     float begin = 1e30f;  // where the quantum's density begins
+    float moment = 0.0f;  // of tau, lengths counted from `begin`
     bool full = false;
     bool gathering = true;
     while (gathering) {
@@ -212,46 +212,42 @@ PLN_FN ViewResult march_view(PLN_SCENE, vec3 origin, vec3 direction, float t_nea
       float gain = 0.5f * (guide_a + guide_b) * rest;
       // Decided once: tau + (tau_stop - tau) may round to less than tau_stop, and the rest of the segment
       // would be lost.
-      bool stopped = tau + gain >= tau_stop;
+      full = tau + gain >= tau_target;
       float piece = rest;
-      bool cut = stopped;
+      bool cut = full;
       while (cut) {
-        piece = length_to_optical_depth(guide_a, guide_b, rest, tau_stop - tau);
-        gain = tau_stop - tau;
+        piece = length_to_optical_depth(guide_a, guide_b, rest, tau_target - tau);
+        gain = tau_target - tau;
         cut = false;
       }
       float matter_here = 0.0f;
       FOR_MEDIA matter_here += walk.a[m] + walk.b[m];
       if (matter_here > 0.0f) begin = min(begin, walk.t);
-      bool long_enough = false;
       if (VARIED_LIGHT) {
         float room = max(begin + longest - walk.t, 0.0f);
         if (piece > room) {
           piece = room;
           gain = (guide_a + 0.5f * (guide_b - guide_a) * piece / rest) * piece;
-          stopped = false;
-          long_enough = true;
+          full = true;
+          if (tau + gain < tau_place) shading_t = mix(begin, walk.t + piece, controls.place);
         }
       }
       float share = rest > 0.0f ? piece / rest : 1.0f;
+      bool here = tau <= tau_place && tau + gain > tau_place;
+      while (here) {
+        shading_t = walk.t + length_to_optical_depth(guide_a, guide_b, rest, tau_place - tau);
+        here = false;
+      }
+      moment += gain * (walk.t + 0.5f * piece - begin);
       tau += gain;
-      moment += gain * (walk.t + 0.5f * piece);
       FOR_MEDIA {
         float end = mix(walk.a[m], walk.b[m], share);
         column[m] += 0.5f * (walk.a[m] + end) * piece;
         walk.a[m] = end;
       }
       walk.t += piece;
-      if (stopped) {
-        full = tau_stop >= tau_target;
-        if (!full) shading_t = walk.t;
-        tau_stop = tau_target;
-        gathering = !full;
-      } else if (long_enough) {
-        full = true;
-        gathering = false;
-        if (controls.jitter >= 0.0f && shading_t < 0.0f) shading_t = mix(begin, walk.t, controls.jitter);
-      } else {
+      gathering = !full;
+      if (!full) {
         alive = walk.t_b < walk.t_end;
         gathering = alive;
         if (alive) walk_advance(scene, walk, controls.step);
@@ -273,11 +269,9 @@ PLN_FN ViewResult march_view(PLN_SCENE, vec3 origin, vec3 direction, float t_nea
     if (full && seen_mean <= 0.50005f && result.depth > 1e29f) result.depth = walk.t;
     bool shades = matter > 0.0f;
     while (shades) {
-      // The centre of the quantum's opacity lies in front of that of its optical depth.
-      float centre =
-          tau > 0.0f ? moment / tau - (walk.t - begin) * tau * (1.0f / 12.0f) : 0.5f * (begin + walk.t);
-      shade(scene, walk, gathered, origin, direction, shading_t >= 0.0f ? shading_t : max(centre, begin),
-            result);
+      // The last quantum of a ray that leaves the media may end before that place: its centre, then.
+      if (shading_t < 0.0f) shading_t = tau > 0.0f ? begin + moment / tau : 0.5f * (begin + walk.t);
+      shade(scene, walk, gathered, origin, direction, shading_t, result);
       shades = false;
     }
     if (seen_mean < controls.cutoff) {
