@@ -69,6 +69,7 @@ VdbGridInfo grid_info(const Json& json) {
     info.dims[axis] = json.at("dims").at(axis).get<std::int64_t>();
   }
   info.active_voxels = json.at("active_voxels").get<std::int64_t>();
+  info.leaves = json.value("leaves", std::uint64_t(0));
   info.memory_bytes = json.value("memory_bytes", std::uint64_t(0));
   if (json.contains("minimum")) info.minimum = json.at("minimum").get<double>();
   if (json.contains("maximum")) info.maximum = json.at("maximum").get<double>();

@@ -62,6 +62,7 @@ struct VdbGridInfo {
   std::array<std::int64_t, 3> index_min{};  // lowest active voxel
   std::array<std::int64_t, 3> dims{};       // [voxels] of the active bounding box; 0 where empty
   std::int64_t active_voxels = 0;           // tiles counted as the voxels they stand for
+  std::uint64_t leaves = 0;                 // 8^3 blocks that hold voxels; 0 where only metadata was read
   std::uint64_t memory_bytes = 0;           // as OpenVDB holds it
   std::optional<double> minimum, maximum;   // of active values; absent for vectors, points and empty grids
   double background = 0.0;                  // scalar grids

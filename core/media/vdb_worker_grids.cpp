@@ -143,6 +143,7 @@ nlohmann::json describe(const GridEntry& entry, const openvdb::GridBase& grid, b
     box = grid.evalActiveVoxelBoundingBox();
     info["memory_bytes"] = grid.memUsage();
     with_scalar(grid, [&](const auto& scalar) {
+      info["leaves"] = std::uint64_t(scalar.tree().leafCount());
       info["background"] = number(static_cast<double>(scalar.background()));
       if (const auto range = range_of(scalar)) {
         info["minimum"] = (*range)[0];

@@ -21,6 +21,7 @@
 #include "host/cli/progress.h"
 #include "host/cli/renderers.h"
 #include "host/cli/scene_arguments.h"
+#include "host/cli/swim.h"
 
 namespace plinian::cli {
 
@@ -32,6 +33,8 @@ struct BenchArguments {
   SceneArguments scene;
   std::vector<std::string> renderers = {"gl", "cpu"}, presets = {"fast", "high"};
   int runs = 5, samples = 1;
+  int swim_frames = 0;  // 0: times, not errors
+  double swim_degrees = 1.0;
   std::string against;
   bool json = false, quiet = false;
 };
@@ -40,10 +43,13 @@ constexpr const char* examples = R"(
 Examples:
   plinian bench ash
   plinian bench smoke.json --size 512x512 --runs 9 --json
+  plinian bench ash --resolution 128 --size 128x128 --swim 4
   plinian bench smoke.json --against 'vdb_render smoke.vdb /tmp/out.exr -res 512x512'
 What is timed: an orbit frame (the camera moves, maps are kept); an albedo edit; an extinction edit and a light edit
 (maps are rebuilt); a frame change (a new volume of the same kind); and, for comparison, the same view march with a
-march to the light instead of the maps. One jittered pass each.)";
+march to the light instead of the maps. One jittered pass each. With --swim nothing is timed: every frame of a small
+orbit and of a turn of the first light is held against the reference, and so is the change of that error from one
+frame to the next.)";
 
 using Clock = std::chrono::steady_clock;
 
@@ -64,14 +70,6 @@ struct Contestant {
   std::map<std::string, std::int64_t> map_builds;    // over all runs
   RenderStats last;
 };
-
-// The same point of view, turned about the vertical axis through the middle of what it sees.
-dmat4 turn(double degrees, const dvec3& pivot) {
-  dmat4 there(1.0), back(1.0);
-  there[3] = dvec4(pivot, 1.0);
-  back[3] = dvec4(-pivot, 1.0);
-  return there * rotation_xyz({0.0, degrees, 0.0}) * back;
-}
 
 class Bench {
  public:
@@ -301,9 +299,54 @@ void print_table(const ordered_json& report) {
   print(text);
 }
 
+void print_swim(const ordered_json& report) {
+  const auto decibels = [](const ordered_json& value) {
+    return value.is_null() ? std::string("identical") : fmt::format("{:.2f} dB", value.get<double>());
+  };
+  std::string text =
+      fmt::format("{} at {}x{}, worst of {} frames {} degrees apart\n\n  {:<26}{:>12}{:>14}{:>14}{:>16}\n",
+                  report["scene"].get<std::string>(), report["size"][0].get<int>(),
+                  report["size"][1].get<int>(), report["frames"].get<int>(), report["degrees"].get<double>(),
+                  "", "frame", "its change", "largest", "change / error");
+  for (const auto& [renderer, presets] : report["swim"].items())
+    for (const auto& [preset, movements] : presets.items())
+      for (const auto& [movement, worst] : movements.items())
+        text += fmt::format(
+            "  {:<26}{:>12}{:>14}{:>14.4f}{:>16.2f}\n",
+            fmt::format("{} {}, {}", renderer, preset, movement == "orbit" ? "orbit" : "key turn"),
+            decibels(worst["psnr"]), decibels(worst["psnr_step"]), worst["largest_step"].get<double>(),
+            worst["step_over_error"].get<double>());
+  print(text);
+}
+
+int run_swim(const BenchArguments& arguments, const SceneSnapshot& scene) {
+  std::vector<SwimQuality> qualities;
+  for (const std::string& renderer : arguments.renderers)
+    for (const std::string& preset : arguments.presets)
+      qualities.push_back({renderer, preset, prepare_quality(arguments.scene, preset)});
+  ordered_json report = {{"scene", arguments.scene.input},
+                         {"size", {scene.width, scene.height}},
+                         {"frames", arguments.swim_frames},
+                         {"degrees", arguments.swim_degrees},
+                         {"samples", arguments.samples}};
+  {
+    ProgressBar bar("comparing");
+    report["swim"] = measure_swim(
+        scene, qualities,
+        {.frames = arguments.swim_frames, .degrees = arguments.swim_degrees, .passes = arguments.samples},
+        [&](double share) { return bar(share); });
+  }
+  if (arguments.json)
+    print(report.dump(2) + "\n");
+  else
+    print_swim(report);
+  return exit_success;
+}
+
 int run_bench(const BenchArguments& arguments) {
   set_quiet(arguments.quiet);
   PreparedScene scene = prepare_scene(arguments.scene);
+  if (arguments.swim_frames > 0) return run_swim(arguments, scene.loaded.snapshot);
   Bench bench(arguments, std::move(scene.loaded.snapshot));
   bench.run();
   const ordered_json report = bench.report();
@@ -341,6 +384,14 @@ Run set_up_bench(CLI::App& app) {
   app.add_option("--against", arguments->against,
                  "another program's command line, run in turn with the orbit frames")
       ->type_name("COMMAND");
+  app.add_option("--swim", arguments->swim_frames,
+                 "hold so many frames of an orbit and of a turn of the key against the reference")
+      ->type_name("FRAMES")
+      ->check(CLI::Range(2, 360));
+  app.add_option("--swim-degrees", arguments->swim_degrees, "from one of those frames to the next")
+      ->type_name("DEGREES")
+      ->check(CLI::Range(-180.0, 180.0))
+      ->capture_default_str();
   app.add_flag("--json", arguments->json, "for scripts");
   app.add_flag("-q,--quiet", arguments->quiet, "no notes and no progress");
   return [arguments](const std::string&) { return run_bench(*arguments); };

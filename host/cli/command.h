@@ -26,6 +26,7 @@ Run set_up_compare(CLI::App& app);
 Run set_up_bench(CLI::App& app);
 Run set_up_info(CLI::App& app);
 Run set_up_make(CLI::App& app);
+Run set_up_sheet(CLI::App& app);
 
 struct Command {
   const char* name;

@@ -92,6 +92,7 @@ ordered_json vdb_json(const VdbInfo& info) {
                         {"index_min", grid.index_min},
                         {"dims", grid.dims},
                         {"active_voxels", grid.active_voxels},
+                        {"leaves", grid.leaves},
                         {"memory_bytes", grid.memory_bytes},
                         {"background", grid.background},
                         {"refusal", grid.refusal},

@@ -23,6 +23,7 @@ constexpr Command commands[] = {
     {"bench", "time maps, frames and edits on this machine", set_up_bench},
     {"info", "show what is in a .vdb file or a picture", set_up_info},
     {"make", "write a procedural medium to a .vdb file", set_up_make},
+    {"sheet", "pictures side by side, with heat maps", set_up_sheet},
 };
 
 constexpr const char* overview = R"(Plinian renders smoke, ash and dust that are too dense for anything else.

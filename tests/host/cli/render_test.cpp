@@ -157,6 +157,34 @@ TEST_F(Program, ComparesPicturesAndFailsUnderALimit) {
   EXPECT_GT(fs::file_size(folder_.path() / "r.html"), 1000u);
 }
 
+TEST_F(Program, PutsPicturesSideBySideWithTheirHeatMaps) {
+  render({"sphere", "-o", "a.exr", "-o", "a.png"});
+  render({"sphere", "-o", "b.exr", "--set", "lights.exposure=2"});
+  const auto sheet = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"sheet", "a.exr", "b.exr", "a.png", "-o", "sheet.png"});
+    const Ended ended = run(more);
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return picture("sheet.png");
+  };
+  const Image row = sheet({"--label", "one", "--label", "two"});
+  EXPECT_EQ(row.width, 4 * 12 + 3 * 48);
+  const Image column = sheet({"--columns", "1"});
+  EXPECT_EQ(column.width, 2 * 12 + 48);
+  EXPECT_GT(column.height, 3 * 32 + 4 * 12 - 1);
+  // Under the first picture, which is the reference itself, its map is black; under the second it is not.
+  const Image maps = sheet({"--against", "a.exr"});
+  const auto brightest = [&](int left) {
+    float value = 0.0f;
+    for (int y = maps.height / 2 + 12; y < maps.height / 2 + 28; ++y)
+      for (int x = left; x < left + 48; ++x)
+        value = std::max(value, maps.find("R")->values[std::size_t(y) * maps.width + x]);
+    return value;
+  };
+  EXPECT_LT(brightest(12), 0.01f);
+  EXPECT_GT(brightest(72), 0.1f);
+  EXPECT_EQ(run({"sheet", "a.exr", "-o", "sheet.exr"}).code, 1);
+}
+
 TEST_F(Program, TheReferenceRendersTheSameSceneAsTheMaps) {
   render({"sphere", "-o", "a.exr", "--preset", "high"});
   ASSERT_EQ(run({"render", "sphere", "-o", "r.exr", "--renderer", "reference", "--size", "48x32"}).code, 0);

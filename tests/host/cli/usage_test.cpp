@@ -23,13 +23,14 @@ std::string usage_error(const std::vector<std::string>& arguments) {
 TEST(Usage, WithoutArgumentsTheProgramSaysWhatItIsAndHowToBegin) {
   const Ended ended = plinian_program({});
   EXPECT_EQ(ended.code, 0);
-  for (const char* word : {"plinian render ash", "render", "compare", "bench", "info", "make", "--help"})
+  for (const char* word :
+       {"plinian render ash", "render", "compare", "bench", "info", "make", "sheet", "--help"})
     EXPECT_TRUE(contains(ended.out, word)) << word;
   EXPECT_EQ(plinian_program({"--help"}).out, ended.out);
 }
 
 TEST(Usage, EveryCommandHasHelpWithExamples) {
-  for (const char* command : {"render", "compare", "bench", "info", "make"}) {
+  for (const char* command : {"render", "compare", "bench", "info", "make", "sheet"}) {
     const Ended ended = plinian_program({command, "--help"});
     EXPECT_EQ(ended.code, 0);
     EXPECT_TRUE(contains(ended.out, "Examples:")) << command;
@@ -58,7 +59,7 @@ TEST(Usage, AMistypedCommandOrOptionIsToldTheNearestOne) {
   EXPECT_EQ(
       usage_error({"rendr", "ash"}),
       "plinian: error: rendr: no such command (did you mean 'render'?); there are: render, compare, bench, "
-      "info, make\n");
+      "info, make, sheet\n");
   EXPECT_TRUE(contains(usage_error({"render", "ash", "--presett", "fast"}),
                        "--presett: no such option (did you mean '--preset'?)"));
   EXPECT_TRUE(
