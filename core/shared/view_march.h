@@ -45,8 +45,8 @@ PLN_FN ViewControls view_controls(ivec2 pixel, int pass, float quantum, float st
   float first = fract(shift + float(pass) * 0.7548776662f);
   float second = fract(shift + float(pass) * 0.5698402910f);
   ViewControls controls;
-  controls.quantum = quantum;
-  // Further passes sample density more finely, as what they add has to be finer.
+  // Further passes are finer, as what they add has to be finer.
+  controls.quantum = pass == 0 ? quantum : 0.25f * quantum;
   controls.step = pass == 0 ? step : pass < 4 ? 0.5f * step : 0.25f * step;
   controls.lead = pass == 0 ? 0.0f : controls.step * first;
   controls.place = pass == 0 ? 0.5f : second;

@@ -85,6 +85,7 @@ SceneSnapshot analytic_scene(int size) {
   scene.background = {0.01f, 0.02f, 0.03f};
   scene.width = scene.height = size;
   scene.quality = shipped_preset("fast");
+  scene.quality.map.resolution = 128;  // a ball and a box ask for no more
   return scene;
 }
 
