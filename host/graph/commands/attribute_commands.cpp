@@ -1,0 +1,138 @@
+// setAttr, getAttr, resetAttr, addAttr, lockAttr.
+#include "host/graph/commands/session.h"
+#include "host/graph/files/attribute_declaration.h"
+#include "host/graph/graph_error.h"
+
+namespace plinian::graph {
+
+namespace {
+
+// Of a component, one number.
+AttributeSpec spec_of(const Graph& graph, const Plug& plug) {
+  AttributeSpec spec = graph.attribute(plug).spec;
+  if (plug.component < 0) return spec;
+  spec.type = AttributeType::float1;
+  return spec;
+}
+
+CommandResult set_attr(Session& session, const Arguments& arguments) {
+  const Graph& graph = session.graph();
+  const Plug plug = graph.plug(arguments.text("plug"));
+  const std::string name = graph.name_of(plug);
+  if (const std::string problem = session.editor().set_problem(plug); !problem.empty())
+    throw GraphError(problem);
+  Value value;
+  try {
+    value = read_value(spec_of(graph, plug), arguments.words("value"), graph.names());
+  } catch (const GraphError& error) {
+    throw GraphError(name + " " + error.what());
+  }
+  if (!session.editor().set(plug, value)) {
+    const Node& node = *graph.find(plug.node);
+    session.warn(
+        name + " is out of its range (" + expectation(graph.attribute(plug).spec) + ") and was set to " +
+        write_value(graph.attribute(plug).spec, node.value(plug.attribute, plug.element), graph.names()));
+  }
+  return {};
+}
+
+CommandResult get_attr(Session& session, const Arguments& arguments) {
+  const Graph& graph = session.graph();
+  const Plug plug = graph.plug(arguments.text("plug"));
+  if (arguments.has("lock"))
+    return {graph.find(plug.node)->is_locked(plug.attribute, plug.element) ? "true" : "false"};
+  const auto time = arguments.number("time");
+  const auto read = [&](const Plug& leaf) {
+    const ResultPtr result =
+        time ? session.evaluator().evaluate_at(*time, leaf) : session.evaluator().evaluate(leaf);
+    if (result->error)
+      throw GraphError(graph.name_of(leaf) + ": " + session.evaluator().error_text(leaf, *result));
+    return write_value(spec_of(graph, leaf), result->value, graph.names());
+  };
+  const std::vector<Plug> leaves = leaf_plugs(graph, plug);
+  if (leaves.size() == 1 && leaves[0] == plug) return {read(plug)};
+  CommandResult lines;
+  for (const Plug& leaf : leaves)
+    lines.push_back(Graph::path_of(*graph.find(leaf.node)->schema, leaf) + " " + read(leaf));
+  return lines;
+}
+
+CommandResult reset_attr(Session& session, const Arguments& arguments) {
+  for (const std::string& name : arguments.texts("plugs")) session.editor().reset(session.graph().plug(name));
+  return {};
+}
+
+CommandResult add_attr(Session& session, const Arguments& arguments) {
+  std::vector<Word> words = {{arguments.text("type", "float"), false}, {arguments.text("name"), false}};
+  const auto property = [&](const std::string& key, const std::string& value) {
+    words.push_back({key, false});
+    words.push_back({value, true});
+  };
+  for (const char* key :
+       {"min", "max", "softMin", "softMax", "choices", "dataType", "niceName", "help", "unit"})
+    if (arguments.has(key)) property(key, arguments.text(key));
+  for (const char* key : {"array", "hidden"})
+    if (arguments.has(key)) property(key, "true");
+  std::string path;
+  AttributeSpec spec = read_declaration(words, path);
+  if (arguments.has("default")) {
+    const bool text = spec.type == AttributeType::string || spec.type == AttributeType::path;
+    const std::vector<Word> value =
+        text ? arguments.words("default") : split_words(arguments.text("default"));
+    spec.default_value = read_value(spec, value, session.graph().names());
+  }
+  const Node& node = session.graph().get(arguments.text("node"));
+  return {session.graph().name_of(session.editor().add_attribute(node.id, spec))};
+}
+
+CommandResult lock_attr(Session& session, const Arguments& arguments) {
+  for (const std::string& name : arguments.texts("plugs"))
+    session.editor().lock(session.graph().plug(name), !arguments.has("off"));
+  return {};
+}
+
+}  // namespace
+
+void add_attribute_commands(CommandRegistry& commands) {
+  using enum ArgumentKind;
+  commands.add({.name = "setAttr",
+                .help = "Sets an attribute, an element or a component.",
+                .parameters = {{"plug", plug, "node.attribute, with [element] and .x or .r"},
+                               {"value", value, "as the attribute spells it: 0.5, 1 0 0, ash, 35mm, \"text\"",
+                                false, true}},
+                .run = set_attr});
+  commands.add(
+      {.name = "getAttr",
+       .help = "Answers with the value of an attribute, evaluated where it is driven.",
+       .parameters = {{"plug", plug, "node.attribute; a compound or an array answers a line for each part"}},
+       .flags = {{"time", "at another frame", number}, {"lock", "whether it is locked instead", {}}},
+       .run = get_attr});
+  commands.add({.name = "resetAttr",
+                .help = "Puts attributes back to their defaults; elements of arrays cease to exist.",
+                .parameters = {{"plugs", plug, "node.attribute", false, true}},
+                .run = reset_attr});
+  commands.add({.name = "addAttr",
+                .help = "Gives a node an attribute of its own.",
+                .parameters = {{"node", node, "its name"}, {"name", text, "of the attribute"}},
+                .flags = {{"type", "bool, int, float, double, enum, string, colour, ... (float)", text},
+                          {"default", "value that it begins with", value},
+                          {"min", "hard minimum", number},
+                          {"max", "hard maximum", number},
+                          {"softMin", "left end of the slider", number},
+                          {"softMax", "right end of the slider", number},
+                          {"choices", "of an enum: off,low:10,high", text},
+                          {"dataType", "of data: what connects to it", text},
+                          {"niceName", "as the interface shows it", text},
+                          {"help", "one sentence", text},
+                          {"unit", "of the value", text},
+                          {"array", "holds elements", {}},
+                          {"hidden", "is not shown", {}}},
+                .run = add_attr});
+  commands.add({.name = "lockAttr",
+                .help = "Locks attributes: they can neither be set nor connected.",
+                .parameters = {{"plugs", plug, "node.attribute", false, true}},
+                .flags = {{"off", "unlocks them", {}}},
+                .run = lock_attr});
+}
+
+}  // namespace plinian::graph

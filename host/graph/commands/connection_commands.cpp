@@ -1,0 +1,75 @@
+// connectAttr, disconnectAttr, listConnections.
+#include "host/graph/commands/session.h"
+#include "host/graph/graph_error.h"
+
+namespace plinian::graph {
+
+namespace {
+
+CommandResult connect_attr(Session& session, const Arguments& arguments) {
+  const Graph& graph = session.graph();
+  session.editor().connect(graph.plug(arguments.text("source")), graph.plug(arguments.text("destination")),
+                           arguments.has("force"));
+  return {};
+}
+
+CommandResult disconnect_attr(Session& session, const Arguments& arguments) {
+  const Graph& graph = session.graph();
+  const std::size_t before = session.graph().generation();
+  session.editor().disconnect(graph.plug(arguments.text("plug")));
+  if (graph.generation() == before) throw GraphError(arguments.text("plug") + " is not driven by anything");
+  return {};
+}
+
+CommandResult list_connections(Session& session, const Arguments& arguments) {
+  const Graph& graph = session.graph();
+  const std::string name = arguments.text("of");
+  const bool whole_node = name.find('.') == name.npos;
+  const Node& node = graph.get(name.substr(0, name.find('.')));
+  std::vector<Plug> plugs;
+  if (!whole_node) plugs = leaf_plugs(graph, graph.plug(name));
+  const auto wanted = [&](const Plug& plug) {
+    if (whole_node) return true;
+    for (const Plug& leaf : plugs)
+      if (leaf.whole() == plug.whole() && (leaf.component < 0 || plug.component < 0 || leaf == plug))
+        return true;
+    return false;
+  };
+  const bool both = arguments.has("source") == arguments.has("destination");
+  CommandResult lines;
+  if (both || arguments.has("source"))
+    for (const Input& input : node.inputs) {
+      const Plug destination{node.id, input.attribute, input.element, input.component};
+      if (wanted(destination))
+        lines.push_back(graph.name_of(input.source) + " -> " + graph.name_of(destination));
+    }
+  if (both || arguments.has("destination"))
+    for (const Connection& connection : graph.outgoing(node.id))
+      if (wanted(connection.source))
+        lines.push_back(graph.name_of(connection.source) + " -> " + graph.name_of(connection.destination));
+  return lines;
+}
+
+}  // namespace
+
+void add_connection_commands(CommandRegistry& commands) {
+  using enum ArgumentKind;
+  commands.add({.name = "connectAttr",
+                .help = "Lets one attribute drive another; compounds are connected child by child.",
+                .parameters = {{"source", plug, "node.attribute that drives"},
+                               {"destination", plug,
+                                "node.attribute that is driven; an array takes the next element"}},
+                .flags = {{"force", "takes over what is driven by another already", {}}},
+                .run = connect_attr});
+  commands.add({.name = "disconnectAttr",
+                .help = "Breaks the connections into an attribute and its parts.",
+                .parameters = {{"plug", plug, "node.attribute that is driven"}},
+                .run = disconnect_attr});
+  commands.add({.name = "listConnections",
+                .help = "Answers with a line for each connection of a node or an attribute.",
+                .parameters = {{"of", plug, "node or node.attribute"}},
+                .flags = {{"source", "those into it only", {}}, {"destination", "those out of it only", {}}},
+                .run = list_connections});
+}
+
+}  // namespace plinian::graph

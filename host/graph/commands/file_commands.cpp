@@ -1,0 +1,82 @@
+// newScene, open, save, import, export.
+#include "core/files/atomic_file.h"
+#include "host/graph/commands/session.h"
+#include "host/graph/edits/editor.h"
+#include "host/graph/files/scene_writer.h"
+#include "host/graph/graph_error.h"
+
+namespace plinian::graph {
+
+namespace {
+
+void refuse_unsaved(Session& session, const Arguments& arguments, const std::string& command) {
+  if (session.history().is_modified() && !arguments.has("force"))
+    throw GraphError(command + ": the scene has unsaved changes: save it first, or give -force");
+}
+
+CommandResult new_scene(Session& session, const Arguments& arguments) {
+  refuse_unsaved(session, arguments, "newScene");
+  session.new_scene();
+  return {};
+}
+
+CommandResult open(Session& session, const Arguments& arguments) {
+  refuse_unsaved(session, arguments, "open");
+  session.open_scene(arguments.text("file"));
+  return {};
+}
+
+CommandResult save(Session& session, const Arguments& arguments) {
+  session.save_scene(arguments.text("file"));
+  return {session.scene_path()};
+}
+
+CommandResult import(Session& session, const Arguments& arguments) {
+  const std::string name_space = arguments.text("namespace");
+  if (!name_space.empty() && !is_node_name(name_space))
+    throw GraphError("import: " + shown(name_space) + " cannot be a namespace: letters, digits and _");
+  return names_of(session.graph(), session.import_scene(arguments.text("file"), name_space));
+}
+
+CommandResult export_nodes(Session& session, const Arguments& arguments) {
+  try {
+    save_scene(arguments.text("file"),
+               write_scene(session.graph(), nodes_or_selection(session, arguments.texts("nodes"))));
+  } catch (const FileError& error) {
+    throw GraphError(std::string("export: ") + error.what());
+  }
+  return {};
+}
+
+}  // namespace
+
+void add_file_commands(CommandRegistry& commands) {
+  using enum ArgumentKind;
+  commands.add({.name = "newScene",
+                .help = "Begins an empty scene.",
+                .flags = {{"force", "even where there are unsaved changes", {}}},
+                .run = new_scene,
+                .handles_history = true});
+  commands.add({.name = "open",
+                .help = "Opens a scene in place of this one.",
+                .parameters = {{"file", path, "scene file"}},
+                .flags = {{"force", "even where there are unsaved changes", {}}},
+                .run = open,
+                .handles_history = true});
+  commands.add({.name = "save",
+                .help = "Saves the scene and answers with the file; the one before stays as FILE.bak.",
+                .parameters = {{"file", path, "scene file; else the one it was opened from", true}},
+                .run = save});
+  commands.add({.name = "import",
+                .help = "Adds the nodes of a scene to this one and answers with their names.",
+                .parameters = {{"file", path, "scene file"}},
+                .flags = {{"namespace", "goes before their names, with a colon", text}},
+                .run = import});
+  commands.add({.name = "export",
+                .help = "Writes nodes to a scene file of their own.",
+                .parameters = {{"file", path, "scene file"},
+                               {"nodes", node, "names or patterns; else the selection", true, true}},
+                .run = export_nodes});
+}
+
+}  // namespace plinian::graph

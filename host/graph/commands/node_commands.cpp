@@ -1,0 +1,77 @@
+// createNode, delete, rename, duplicate, parent.
+#include "host/graph/commands/session.h"
+#include "host/graph/graph_error.h"
+
+namespace plinian::graph {
+
+namespace {
+
+CommandResult create_node(Session& session, const Arguments& arguments) {
+  const NodeTypePtr type = session.types().get(arguments.text("type"));
+  const NodeId parent = arguments.has("parent") ? session.graph().get(arguments.text("parent")).id : NodeId();
+  const NodeId id = session.editor().create_node(type, arguments.text("name"), parent);
+  session.editor().select({id});
+  return {session.graph().find(id)->name};
+}
+
+CommandResult delete_nodes(Session& session, const Arguments& arguments) {
+  session.editor().delete_nodes(nodes_or_selection(session, arguments.texts("nodes")));
+  return {};
+}
+
+CommandResult rename(Session& session, const Arguments& arguments) {
+  return {session.editor().rename(session.graph().get(arguments.text("node")).id, arguments.text("name"))};
+}
+
+CommandResult duplicate(Session& session, const Arguments& arguments) {
+  const auto copies = session.editor().duplicate(nodes_or_selection(session, arguments.texts("nodes")),
+                                                 arguments.has("inputs"));
+  session.editor().select(copies);
+  return names_of(session.graph(), copies);
+}
+
+CommandResult parent(Session& session, const Arguments& arguments) {
+  std::vector<std::string> names = arguments.texts("nodes");
+  NodeId above;
+  if (!arguments.has("world")) {
+    if (names.size() < 2) throw GraphError("parent: name the nodes and, last, their parent, or give -world");
+    above = session.graph().get(names.back()).id;
+    names.pop_back();
+  }
+  session.editor().set_parent(matching_nodes(session.graph(), names), above);
+  return {};
+}
+
+}  // namespace
+
+void add_node_commands(CommandRegistry& commands) {
+  using enum ArgumentKind;
+  commands.add({.name = "createNode",
+                .help = "Makes a node, selects it and answers with its name.",
+                .parameters = {{"type", type, "node type"}},
+                .flags = {{"name", "what to call it; a number makes it unique", text},
+                          {"parent", "node that it goes under", node}},
+                .run = create_node});
+  commands.add(
+      {.name = "delete",
+       .help = "Deletes nodes, what is under them, and curves that drove nothing else.",
+       .parameters = {{"nodes", node, "names or patterns with * and ?; else the selection", true, true}},
+       .run = delete_nodes});
+  commands.add(
+      {.name = "rename",
+       .help = "Renames a node and answers with the name it got.",
+       .parameters = {{"node", node, "its name"}, {"name", text, "the new one; a number makes it unique"}},
+       .run = rename});
+  commands.add({.name = "duplicate",
+                .help = "Copies nodes and what is under them, with the connections among them.",
+                .parameters = {{"nodes", node, "names or patterns; else the selection", true, true}},
+                .flags = {{"inputs", "keep connections from nodes that are not copied", {}}},
+                .run = duplicate});
+  commands.add({.name = "parent",
+                .help = "Puts nodes under another one in the transform hierarchy.",
+                .parameters = {{"nodes", node, "the nodes and, last, their parent", false, true}},
+                .flags = {{"world", "puts all of them at the top", {}}},
+                .run = parent});
+}
+
+}  // namespace plinian::graph

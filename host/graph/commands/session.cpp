@@ -1,0 +1,156 @@
+// Sessions, and the scripts that run in them.
+#include "host/graph/commands/session.h"
+
+#include "core/files/atomic_file.h"
+#include "host/graph/files/scene_reader.h"
+#include "host/graph/files/scene_writer.h"
+#include "host/graph/graph_error.h"
+#include "host/graph/nodes/node_types.h"
+
+namespace plinian::graph {
+
+Session::Session() : Session(Evaluator::Options()) {}
+
+Session::Session(const Evaluator::Options& options) : evaluator_(graph_, options) {
+  add_time_node(types_);
+  add_anim_curve_node(types_);
+  add_node_commands(commands_);
+  add_attribute_commands(commands_);
+  add_connection_commands(commands_);
+  add_selection_commands(commands_);
+  add_time_commands(commands_);
+  add_file_commands(commands_);
+  add_session_commands(commands_);
+  new_scene();
+}
+
+void Session::warn(const std::string& line) const {
+  if (on_warning) on_warning(line);
+}
+
+CommandResult Session::execute(std::string_view line, const std::string& merge_key) {
+  std::vector<Word> words = split_words(line);
+  if (words.empty()) return {};
+  const CommandSpec& spec = commands_.get(words.front().text);
+  words.erase(words.begin());
+  return execute(spec, parse_arguments(spec, words), merge_key);
+}
+
+CommandResult Session::execute(const CommandSpec& spec, const Arguments& arguments,
+                               const std::string& merge_key) {
+  struct Depth {
+    int& depth;
+    ~Depth() { --depth; }
+  } depth{++depth_};
+  if (spec.handles_history && depth_ > 1) throw GraphError(spec.name + ": cannot be run by another command");
+  const std::string call = write_call(spec, arguments);
+  CommandResult result;
+  if (spec.handles_history) {
+    result = spec.run(*this, arguments);
+  } else {
+    const History::Scope scope(history_, call, merge_key);
+    result = spec.run(*this, arguments);
+  }
+  if (depth_ == 1 && on_echo) on_echo(call);
+  return result;
+}
+
+namespace {
+
+// Everything goes; one step, so that a failure to read what is to come instead brings it back.
+void clear_graph(Editor& editor) {
+  std::vector<NodeId> nodes;
+  for (const Node* node : editor.graph().nodes()) nodes.push_back(node->id);
+  editor.delete_nodes(nodes);
+  while (!editor.graph().kept_types().empty())
+    editor.set_kept_type(std::string(editor.graph().kept_types().begin()->first), std::nullopt);
+}
+
+}  // namespace
+
+void Session::new_scene() {
+  {
+    const History::Scope scope(history_, "newScene");
+    clear_graph(editor_);
+    editor_.create_node(types_.get("time"));
+  }
+  history_.clear();
+  history_.mark_saved();
+  scene_path_.clear();
+  read_only_ = false;
+  evaluator_.set_time(1.0);
+}
+
+void Session::open_scene(const std::string& path) {
+  SceneReport report;
+  {
+    const History::Scope scope(history_, "open");
+    const std::string text = read_text_file(path);
+    clear_graph(editor_);
+    report = read_scene(text, path, types_, editor_);
+  }
+  history_.clear();
+  history_.mark_saved();
+  scene_path_ = std::filesystem::absolute(path).lexically_normal().string();
+  read_only_ = report.read_only;
+  for (const Node* node : graph_.nodes())
+    if (const AttributeIndex start = node->schema->find("start");
+        node->type->spec().time_source && start >= 0) {
+      evaluator_.set_time(std::get<double>(node->value(start)));
+      break;
+    }
+  for (const std::string& warning : report.warnings) warn(warning);
+}
+
+std::vector<NodeId> Session::import_scene(const std::string& path, const std::string& name_space) {
+  const SceneReport report = read_scene(read_text_file(path), path, types_, editor_, name_space);
+  for (const std::string& warning : report.warnings) warn(warning);
+  return report.nodes;
+}
+
+void Session::save_scene(const std::string& path) {
+  const std::string target =
+      path.empty() ? scene_path_ : std::filesystem::absolute(path).lexically_normal().string();
+  if (target.empty()) throw GraphError("save: the scene has no file yet: save FILE");
+  if (read_only_ && target == scene_path_)
+    throw GraphError("save: " + target +
+                     " was made by a newer version and is read-only here: save it under another name");
+  try {
+    graph::save_scene(target, write_scene(graph_));
+  } catch (const FileError& error) {
+    throw GraphError(std::string("save: ") + error.what());
+  }
+  scene_path_ = target;
+  read_only_ = false;
+  history_.mark_saved();
+}
+
+std::filesystem::path Session::scene_folder() const {
+  return scene_path_.empty() ? std::filesystem::current_path()
+                             : std::filesystem::path(scene_path_).parent_path();
+}
+
+NodeId Session::time_node() {
+  for (const Node* node : graph_.nodes())
+    if (node->type->spec().time_source) return node->id;
+  return editor_.create_node(types_.get("time"));
+}
+
+void run_script(Session& session, std::string_view text, const std::string& name,
+                const std::function<void(const std::string&)>& answer) {
+  int number = 0;
+  while (!text.empty()) {
+    ++number;
+    const std::size_t length = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, length);
+    text.remove_prefix(std::min(length + 1, text.size()));
+    try {
+      for (const std::string& reply : session.execute(line))
+        if (answer) answer(reply);
+    } catch (const std::exception& error) {
+      throw GraphError(name + ":" + std::to_string(number) + ": " + error.what());
+    }
+  }
+}
+
+}  // namespace plinian::graph

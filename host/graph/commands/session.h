@@ -1,0 +1,92 @@
+// One open scene and all that acts on it: what a window, a script and a batch job have in common.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "host/graph/commands/command.h"
+#include "host/graph/edits/editor.h"
+#include "host/graph/evaluation/evaluator.h"
+#include "host/graph/types/type_registry.h"
+
+namespace plinian::graph {
+
+class Session {
+ public:
+  /// A new scene, with the graph's own node types and commands registered.
+  Session();
+  explicit Session(const Evaluator::Options& options);
+
+  TypeRegistry& types() { return types_; }
+  CommandRegistry& commands() { return commands_; }
+  const Graph& graph() const { return graph_; }
+  History& history() { return history_; }
+  Editor& editor() { return editor_; }
+  Evaluator& evaluator() { return evaluator_; }
+
+  /// Runs a line of a script: one command, or nothing but a comment. All its edits are one step of undo,
+  /// called by the line; where it throws, what it did is taken back. merge_key: as in History::Scope.
+  CommandResult execute(std::string_view line, const std::string& merge_key = "");
+  CommandResult execute(const CommandSpec& spec, const Arguments& arguments,
+                        const std::string& merge_key = "");
+
+  /// Hears of every command that ran, as the line that would run it again, and of warnings.
+  std::function<void(const std::string&line)> on_echo, on_warning;
+  void warn(const std::string& line) const;
+
+  /// An empty scene with a time node; the old one cannot be had back.
+  void new_scene();
+  /// Throws GraphError and leaves the scene as it is where the file cannot be read.
+  void open_scene(const std::string& path);
+  /// Adds a scene's nodes to this one.
+  std::vector<NodeId> import_scene(const std::string& path, const std::string& name_space);
+  /// path: empty for the scene's own. Throws where there is none, or where a newer format would be lost.
+  void save_scene(const std::string& path);
+
+  /// Of the file of the scene; empty before it was saved.
+  const std::string& scene_path() const { return scene_path_; }
+  /// What relative paths in the scene are relative to.
+  std::filesystem::path scene_folder() const;
+  bool is_read_only() const { return read_only_; }
+
+  /// The node that tells the time; made where there is none.
+  NodeId time_node();
+
+ private:
+  TypeRegistry types_;
+  CommandRegistry commands_;
+  Graph graph_;
+  History history_{graph_};
+  Editor editor_{graph_, history_};
+  Evaluator evaluator_;
+  std::string scene_path_;
+  bool read_only_ = false;
+  int depth_ = 0;  // of commands that run commands
+};
+
+/// Runs the lines of a script. name: of the file, for errors. Throws GraphError that names file and line.
+/// answer: is given the lines that commands answer with.
+void run_script(Session& session, std::string_view text, const std::string& name,
+                const std::function<void(const std::string&)>& answer);
+
+/// The commands of the graph, by theme; each file registers its own.
+void add_node_commands(CommandRegistry& commands);
+void add_attribute_commands(CommandRegistry& commands);
+void add_connection_commands(CommandRegistry& commands);
+void add_selection_commands(CommandRegistry& commands);
+void add_time_commands(CommandRegistry& commands);
+void add_file_commands(CommandRegistry& commands);
+void add_session_commands(CommandRegistry& commands);
+
+/// Nodes by names and patterns with * and ?, each once. Throws GraphError for a name that is none and a
+/// pattern that matches nothing.
+std::vector<NodeId> matching_nodes(const Graph& graph, const std::vector<std::string>& patterns);
+
+/// ... or, where none are named, the selection. Throws GraphError where nothing is selected either.
+std::vector<NodeId> nodes_or_selection(Session& session, const std::vector<std::string>& patterns);
+
+std::vector<std::string> names_of(const Graph& graph, const std::vector<NodeId>& nodes);
+
+}  // namespace plinian::graph

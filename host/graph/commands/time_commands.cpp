@@ -1,0 +1,150 @@
+// currentTime, setKeyframe, cutKey.
+#include <algorithm>
+
+#include "host/graph/commands/session.h"
+#include "host/graph/graph_error.h"
+#include "host/graph/model/conversion.h"
+
+namespace plinian::graph {
+
+namespace {
+
+CommandResult current_time(Session& session, const Arguments& arguments) {
+  // Not an edit: looking at another frame changes no scene.
+  if (const auto time = arguments.number("time")) session.evaluator().set_time(*time);
+  return {write_number(session.evaluator().time())};
+}
+
+// One number each: an attribute that holds a number, or the components of a vector.
+std::vector<Plug> number_plugs(const Graph& graph, const Plug& plug) {
+  const SchemaAttribute& attribute = graph.attribute(plug);
+  const int count = component_count(attribute.spec.type);
+  if (!attribute.spec.keyable) throw GraphError(graph.name_of(plug) + " cannot be animated");
+  if (attribute.array != no_attribute && plug.element < 0)
+    throw GraphError(graph.name_of(plug) + " is an array: name an element, as " + attribute.path + "[0]");
+  if (plug.component >= 0 || is_number(attribute.spec.type)) return {plug};
+  if (count == 0)
+    throw GraphError(graph.name_of(plug) + " is of type " + std::string(type_name(attribute.spec.type)) +
+                     ", which has no numbers to animate");
+  std::vector<Plug> result;
+  for (int i = 0; i < count; ++i) result.push_back({plug.node, plug.attribute, plug.element, i});
+  return result;
+}
+
+// The animation curve that drives exactly this plug, or null.
+const Node* curve_of(const Graph& graph, const Plug& plug) {
+  const Input* input = graph.find(plug.node)->input(plug.attribute, plug.element, plug.component);
+  const Node* source = input ? graph.find(input->source.node) : nullptr;
+  return source && source->type->name() == "animCurve" ? source : nullptr;
+}
+
+struct CurveAttributes {
+  explicit CurveAttributes(const Node& curve)
+      : key(curve.schema->find("key")),
+        time(curve.schema->find("key.time")),
+        value(curve.schema->find("key.value")),
+        interpolation(curve.schema->find("key.interpolation")) {}
+  AttributeIndex key, time, value, interpolation;
+};
+
+CommandResult set_keyframe(Session& session, const Arguments& arguments) {
+  const Graph& graph = session.graph();
+  Editor& editor = session.editor();
+  const double time = arguments.number("time").value_or(session.evaluator().time());
+  CommandResult curves;
+  for (const std::string& name : arguments.texts("plugs"))
+    for (const Plug& plug : number_plugs(graph, graph.plug(name))) {
+      const ResultPtr current = session.evaluator().evaluate(plug);
+      if (current->error)
+        throw GraphError(graph.name_of(plug) + ": " + session.evaluator().error_text(plug, *current));
+      const double value = arguments.number("value").value_or(number_of(current->value));
+      const Node* curve = curve_of(graph, plug);
+      NodeId id = curve ? curve->id : NodeId();
+      if (!curve) {
+        std::string base =
+            graph.find(plug.node)->name + "_" + Graph::path_of(*graph.find(plug.node)->schema, plug);
+        for (char& c : base)
+          if (c == '.' || c == '[' || c == ']') c = '_';
+        const NodeId time_node = session.time_node();
+        id = editor.create_node(session.types().get("animCurve"), base);
+        editor.connect(graph.plug(*graph.find(time_node), "out"), graph.plug(*graph.find(id), "in"));
+        editor.connect(graph.plug(*graph.find(id), "out"), plug);
+      }
+      const CurveAttributes attributes(*graph.find(id));
+      std::int32_t place = -1, next = 0;
+      for (const std::int32_t element : graph.find(id)->elements(attributes.key)) {
+        next = std::max(next, element + 1);
+        if (number_of(graph.find(id)->value(attributes.time, element)) == time) place = element;
+      }
+      if (place < 0) place = next;
+      editor.set({id, attributes.time, place}, time);
+      editor.set({id, attributes.value, place}, value);
+      if (arguments.has("interpolation")) {
+        const AttributeSpec& spec = (*graph.find(id)->schema)[attributes.interpolation].spec;
+        try {
+          editor.set({id, attributes.interpolation, place},
+                     read_value(spec, arguments.words("interpolation")));
+        } catch (const GraphError& error) {
+          throw GraphError(std::string("setKeyframe: -interpolation: ") + error.what());
+        }
+      }
+      curves.push_back(graph.find(id)->name);
+    }
+  return curves;
+}
+
+CommandResult cut_key(Session& session, const Arguments& arguments) {
+  const Graph& graph = session.graph();
+  Editor& editor = session.editor();
+  const auto from = arguments.number("time"), to = arguments.number("to");
+  int cut = 0;
+  for (const std::string& name : arguments.texts("plugs"))
+    for (const Plug& plug : number_plugs(graph, graph.plug(name))) {
+      const Node* curve = curve_of(graph, plug);
+      if (!curve) continue;
+      const NodeId id = curve->id;
+      const CurveAttributes attributes(*curve);
+      const ResultPtr current = session.evaluator().evaluate(plug);
+      const auto elements = curve->elements(attributes.key);
+      int left = 0;
+      for (const std::int32_t element : elements) {
+        const double time = number_of(graph.find(id)->value(attributes.time, element));
+        const bool inside = !from || (to ? time >= *from && time <= *to : time == *from);
+        left += !inside;
+        cut += inside;
+        if (inside) editor.reset({id, attributes.key, element});
+      }
+      if (left > 0) continue;
+      // The last key is gone: the attribute stays where the curve left it.
+      editor.disconnect(plug);
+      if (!current->error) editor.set(plug, number_of(current->value));
+      if (graph.outgoing(id).empty()) editor.delete_nodes({id});
+    }
+  if (cut == 0) throw GraphError("cutKey: there is no key there");
+  return {std::to_string(cut)};
+}
+
+}  // namespace
+
+void add_time_commands(CommandRegistry& commands) {
+  using enum ArgumentKind;
+  commands.add({.name = "currentTime",
+                .help = "Goes to a frame and answers with it; no edit, so that undo knows nothing of it.",
+                .parameters = {{"time", number, "frame; else stays", true}},
+                .run = current_time});
+  commands.add(
+      {.name = "setKeyframe",
+       .help = "Keys attributes at the current time; the first key makes an animation curve.",
+       .parameters = {{"plugs", plug, "node.attribute; a vector is keyed by components", false, true}},
+       .flags = {{"time", "frame (the current one)", number},
+                 {"value", "value (the current one)", number},
+                 {"interpolation", "to the next key: stepped, linear or smooth", text}},
+       .run = set_keyframe});
+  commands.add({.name = "cutKey",
+                .help = "Removes keys and answers how many; without its last key an attribute is free again.",
+                .parameters = {{"plugs", plug, "node.attribute", false, true}},
+                .flags = {{"time", "frame (all keys)", number}, {"to", "last frame of a range", number}},
+                .run = cut_key});
+}
+
+}  // namespace plinian::graph

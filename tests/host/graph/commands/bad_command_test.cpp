@@ -1,0 +1,80 @@
+// Each mistake costs one clear line and changes nothing.
+#include "tests/host/graph/commands/test_session.h"
+
+namespace plinian::graph {
+namespace {
+
+struct BadCommand : ::testing::Test {
+  TestSession s;
+  BadCommand() {
+    s.run(
+        "createNode every -name e\ncreateNode sum -name x\ncreateNode sum -name y\nconnectAttr x.out y.a\n"
+        "lockAttr e.label\n");
+  }
+};
+
+TEST_F(BadCommand, UnknownThingsComeWithTheNearestWord) {
+  EXPECT_EQ(s.refusal("setAtr e.weight 1"), "unknown command 'setAtr' (did you mean 'setAttr'?)");
+  EXPECT_EQ(s.refusal("createNode evry"), "unknown node type 'evry' (did you mean 'every'?)");
+  EXPECT_EQ(s.refusal("setAttr e.wieght 1"),
+            "node 'e' (every) has no attribute 'wieght' (did you mean 'weight'?)");
+  EXPECT_EQ(s.refusal("setAttr f.weight 1"), "there is no node 'f' (did you mean 'e'?)");
+  EXPECT_EQ(s.refusal("ls -typ sum"), "ls: unknown flag '-typ' (did you mean '-type'?)");
+  EXPECT_EQ(s.refusal("ls -type smu"), "unknown node type 'smu' (did you mean 'sum'?)");
+  EXPECT_EQ(s.refusal("addAttr e z -type flaot"), "unknown attribute type 'flaot' (did you mean 'float'?)");
+  EXPECT_EQ(s.refusal("delete z*"), "no node matches 'z*'");
+  EXPECT_EQ(s.refusal("help setattr"), "unknown command 'setattr' (did you mean 'setAttr'?)");
+}
+
+TEST_F(BadCommand, ValuesOfTheWrongTypeSayWhatIsExpected) {
+  EXPECT_EQ(s.refusal("setAttr e.weight soft"), "e.weight expects a number from 0 to 1, not 'soft'");
+  EXPECT_EQ(s.refusal("setAttr e.axis 1 2"), "e.axis expects 3 numbers, not '1 2'");
+  EXPECT_EQ(s.refusal("setAttr e.mode medium"), "e.mode 'medium' is none of off, low, high");
+  EXPECT_EQ(s.refusal("setAttr e.target nobody"), "e.target there is no node 'nobody'");
+  EXPECT_EQ(s.refusal("setAttr e.volume 3"), "e.volume holds data, which have no text form");
+  EXPECT_EQ(s.refusal("currentTime soon"), "currentTime: TIME expects a number, not 'soon'");
+  EXPECT_EQ(s.refusal("setKeyframe e.profile"), "e.profile is of type ramp, which has no numbers to animate");
+  EXPECT_EQ(s.refusal("setKeyframe e.weight -interpolation bouncy"),
+            "setKeyframe: -interpolation: 'bouncy' is none of stepped, linear, smooth");
+}
+
+TEST_F(BadCommand, WhatIsLockedDrivenOrWouldCloseACycleIsRefused) {
+  EXPECT_EQ(s.refusal("setAttr e.label x"), "e.label is locked");
+  EXPECT_EQ(s.refusal("setAttr y.a 1"), "y.a is driven by x.out: disconnect it first");
+  EXPECT_EQ(s.refusal("connectAttr y.out x.a"),
+            "cannot connect y.out to x.a: it would close the cycle x.a -> x.out -> y.a -> y.out -> x.a");
+  EXPECT_EQ(s.refusal("disconnectAttr x.a"), "x.a is not driven by anything");
+  EXPECT_EQ(s.refusal("setAttr x.out 1"), "x.out is computed and cannot be set");
+  EXPECT_EQ(s.refusal("cutKey x.a"), "cutKey: there is no key there");
+  EXPECT_EQ(s.refusal("select"), "select: name nodes, or give -clear");
+}
+
+TEST_F(BadCommand, ACommandThatFailsHalfwayTakesEverythingBack) {
+  EXPECT_EQ(s.refusal("resetAttr x.b e.label"), "e.label is locked");
+  s.run("setAttr x.b 3");
+  EXPECT_EQ(s.refusal("resetAttr x.b e.label"), "e.label is locked");  // x.b was reset before that
+  EXPECT_EQ(s.run("getAttr x.b"), "3");
+  s.run("createNode animCurve -name c\nsetKeyframe x.b");
+  EXPECT_EQ(s.refusal("setKeyframe x.a e.label"),
+            "e.label is of type string, which has no numbers to animate");
+}
+
+TEST_F(BadCommand, AScriptNamesFileAndLine) {
+  EXPECT_EQ(message_of([&] { s.run("# comment\nsetAttr x.b 1\n\nsetAttr x.c 1\nsetAttr x.b 2"); }),
+            "script.pln:4: node 'x' (sum) has no attribute 'c' (did you mean 'a'?)");
+  EXPECT_EQ(s.run("getAttr x.b"), "1");
+  EXPECT_EQ(message_of([&] { s.run("setAttr e.label \"open"); }), "script.pln:1: a quote is not closed");
+}
+
+TEST_F(BadCommand, FilesThatCannotBeReadOrWrittenAreNamed) {
+  EXPECT_EQ(s.refusal("open -force /nowhere/a.pln"),
+            "/nowhere/a.pln: cannot be read: No such file or directory");
+  EXPECT_EQ(s.refusal("save /nowhere/a.pln"),
+            "save: /nowhere/a.pln: cannot be written: the folder /nowhere does not exist");
+  EXPECT_EQ(s.refusal("save"), "save: the scene has no file yet: save FILE");
+  EXPECT_EQ(s.refusal("undo undo"), "undo: STEPS expects a number, not 'undo'");
+  EXPECT_EQ(s.refusal("redo"), "there is nothing to redo");
+}
+
+}  // namespace
+}  // namespace plinian::graph

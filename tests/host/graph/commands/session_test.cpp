@@ -1,0 +1,143 @@
+#include "host/graph/commands/session.h"
+
+#include <fstream>
+
+#include "host/graph/files/scene_reader.h"
+#include "tests/host/graph/commands/test_session.h"
+
+namespace plinian::graph {
+namespace {
+
+TEST(Session, CommandsEditEchoAndAreUndoneAsOneStep) {
+  TestSession s;
+  EXPECT_EQ(s.run("createNode every -name e\nsetAttr e.weight 0.25  # a quarter\n\nsetAttr e.axis 1 0 0\n"
+                  "getAttr e.weight\ngetAttr e.axis.x\ngetAttr e.axis"),
+            "e\n0.25\n1\n1 0 0");
+  EXPECT_EQ(s.echoes.at(1), "setAttr e.weight 0.25");
+  EXPECT_EQ(s.run("undo 2"), "setAttr e.axis 1 0 0\nsetAttr e.weight 0.25");
+  EXPECT_EQ(s.run("getAttr e.weight"), "0.5");
+  EXPECT_EQ(s.run("redo"), "setAttr e.weight 0.25");
+  EXPECT_EQ(s.run("undo 100\nls"), "setAttr e.weight 0.25\ncreateNode -name e every\ntime1");
+}
+
+TEST(Session, ADragIsOneStep) {
+  TestSession s;
+  s.run("createNode every -name e");
+  for (int i = 1; i <= 50; ++i) s.execute("setAttr e.weight 0." + std::to_string(i), "drag 7");
+  s.run("undo");
+  EXPECT_EQ(s.run("getAttr e.weight"), "0.5");
+}
+
+TEST(Session, ClampsAndSaysSo) {
+  TestSession s;
+  s.run("createNode every -name e\nsetAttr e.count 700");
+  EXPECT_EQ(s.run("getAttr e.count"), "100");
+  EXPECT_EQ(s.warnings, std::vector<std::string>{
+                            "e.count is out of its range (an integer from 0 to 100) and was set to 100"});
+}
+
+TEST(Session, FindsSelectsAndListsNodes) {
+  TestSession s;
+  s.run("createNode sum -name ash1\ncreateNode sum -name ash2\ncreateNode group -name ground");
+  EXPECT_EQ(s.run("ls ash*"), "ash1\nash2");
+  EXPECT_EQ(s.run("ls ?sh2 g*d"), "ash2\nground");
+  EXPECT_EQ(s.run("ls -type group"), "ground");
+  EXPECT_EQ(s.run("select ash*\nselect -add ground\nselect -remove ash1\nls -selected"), "ash2\nground");
+  EXPECT_EQ(s.run("delete\nls"), "time1\nash1");
+  EXPECT_EQ(s.run("undo\nls -selected"), "delete\nash2\nground");
+  EXPECT_EQ(s.run("select -clear\nls -selected"), "");
+}
+
+TEST(Session, ConnectsAndListsConnections) {
+  TestSession s;
+  s.run(
+      "createNode sum -name x\ncreateNode sum -name y\nconnectAttr x.out y.a\nconnectAttr x.out y.weights\n"
+      "connectAttr y.vector.z x.offset.x");
+  EXPECT_EQ(s.run("listConnections y"), "x.out -> y.a\nx.out -> y.weights[0]\ny.vector.z -> x.offset.x");
+  EXPECT_EQ(s.run("listConnections y -destination"), "y.vector.z -> x.offset.x");
+  EXPECT_EQ(s.run("listConnections y.weights"), "x.out -> y.weights[0]");
+  EXPECT_EQ(s.run("disconnectAttr y.weights\nlistConnections x -destination"), "x.out -> y.a");
+}
+
+TEST(Session, KeysMakeCurvesAndCuttingThemFreesTheAttribute) {
+  TestSession s;
+  s.run("createNode group -name g\nsetAttr g.translate 1 2 3\ncurrentTime 10\n");
+  EXPECT_EQ(s.run("setKeyframe g.translate -interpolation linear"),
+            "g_translate_x\ng_translate_y\ng_translate_z");
+  EXPECT_EQ(s.run("setKeyframe g.translate.y -time 20 -value 12"), "g_translate_y");
+  EXPECT_EQ(s.run("currentTime 15\ngetAttr g.translate"), "15\n1 7 3");
+  EXPECT_EQ(s.run("getAttr g.translate.y -time 11"), "3");
+  EXPECT_EQ(s.run("setKeyframe g.translate.y -time 20 -value 22\ngetAttr g.translate.y"),
+            "g_translate_y\n12");
+  EXPECT_EQ(s.run("cutKey g.translate.y -time 20\ngetAttr g.translate"), "1\n1 2 3");
+  EXPECT_EQ(s.run("cutKey g.translate\nlistConnections g\nls -type animCurve"), "3");
+  EXPECT_EQ(s.run("getAttr g.translate"), "1 2 3");
+  EXPECT_EQ(s.run("undo\ngetAttr g.translate.y -time 11"), "cutKey g.translate\n2");
+  s.run("delete g");
+  EXPECT_EQ(s.run("ls -type animCurve"), "");
+  // Time is no edit.
+  EXPECT_EQ(s.run("currentTime 33\nundo\ncurrentTime"), "33\ndelete g\n33");
+}
+
+TEST(Session, DuplicatesParentsRenamesLocksAndAddsAttributes) {
+  TestSession s;
+  EXPECT_EQ(s.run("createNode group -name g\ncreateNode shape -name leaf -parent g\nduplicate g"),
+            "g\nleaf\ng1");
+  EXPECT_EQ(s.run("ls"), "time1\ng\nleaf\ng1\nleaf1");
+  s.run("parent leaf leaf1 g1");
+  EXPECT_EQ(s.graph().find("leaf")->parent, s.graph().get("g1").id);
+  s.run("parent -world leaf");
+  EXPECT_FALSE(s.graph().find("leaf")->parent);
+  EXPECT_EQ(s.run("rename leaf leaf1"), "leaf2");
+  EXPECT_EQ(s.run("addAttr leaf2 heat -min 0 -default 4\ngetAttr leaf2.heat"), "leaf2.heat\n4");
+  EXPECT_EQ(s.run("addAttr leaf2 mode -type enum -choices off,low:10,high -default high\ngetAttr leaf2.mode"),
+            "leaf2.mode\nhigh");
+  EXPECT_EQ(s.run("lockAttr leaf2.heat\ngetAttr -lock leaf2.heat\nlockAttr -off leaf2.heat\ngetAttr -lock "
+                  "leaf2.heat"),
+            "true\nfalse");
+  EXPECT_EQ(s.run("setAttr leaf2.heat 9\nresetAttr leaf2.heat\ngetAttr leaf2.heat"), "4");
+}
+
+TEST(Session, SavesOpensImportsAndExports) {
+  const TemporaryFolder folder;
+  TestSession s;
+  const std::string file = folder / "a.pln", part = folder / "part.pln";
+  s.run("createNode sum -name x\nsetAttr x.a 3\nsave \"" + file + "\"");
+  EXPECT_FALSE(s.history().is_modified());
+  EXPECT_EQ(s.scene_folder(), folder.path());
+  s.run("setAttr x.a 4\nexport \"" + part + "\" x");
+  EXPECT_EQ(s.refusal("open \"" + file + "\""),
+            "open: the scene has unsaved changes: save it first, or give -force");
+  s.run("save\nnewScene\nopen \"" + file + "\"");
+  EXPECT_EQ(s.run("getAttr x.a"), "4");
+  EXPECT_EQ(s.run("import -namespace lib \"" + part + "\"\nls"), "lib:x\ntime1\nx\nlib:x");
+  EXPECT_EQ(s.run("undo\nls"), "import -namespace lib \"" + part + "\"\ntime1\nx");
+  EXPECT_TRUE(std::filesystem::exists(file + ".bak"));
+  // What cannot be opened leaves the scene as it is.
+  std::ofstream(folder / "bad.pln") << "plinian scene 1.0\nnode sum\n";
+  EXPECT_NE(s.refusal("open -force \"" + folder / "bad.pln" + "\"").find("bad.pln:2"), std::string::npos);
+}
+
+TEST(Session, ANewerSceneIsReadOnlyUnderItsOwnName) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "new.pln") << "plinian scene 2.0\nnode sum s\nend\n";
+  TestSession s;
+  s.run("open \"" + folder / "new.pln" + "\"");
+  EXPECT_EQ(s.warnings.size(), 1u);
+  EXPECT_NE(s.refusal("save").find("is read-only here: save it under another name"), std::string::npos);
+  s.run("save \"" + folder / "mine.pln" + "\"\nsetAttr s.a 1\nsave");
+  EXPECT_NE(read_text_file(folder / "new.pln").find("2.0"), std::string::npos);
+}
+
+TEST(Session, EvaluatesAndHelps) {
+  TestSession s;
+  s.run("createNode animCurve -name c\nsetAttr c.key[0].value 2.5");
+  EXPECT_EQ(s.run("evaluate c -check"), "c.out 2.5");
+  EXPECT_NE(s.run("help").find("setKeyframe     "), std::string::npos);
+  EXPECT_TRUE(s.run("help setAttr").starts_with("setAttr PLUG VALUE...\n"));
+  for (const std::string& name : s.commands().names())
+    EXPECT_FALSE(s.commands().get(name).help.empty()) << name;
+}
+
+}  // namespace
+}  // namespace plinian::graph
