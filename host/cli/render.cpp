@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "core/image/image_io.h"
 #include "core/scene/nearest_word.h"
@@ -77,8 +78,7 @@ int run_render(const RenderArguments& arguments, const std::string& command_line
 
   const PreparedScene scene = prepare_scene(arguments.scene);
   const SceneSnapshot& snapshot = scene.loaded.snapshot;
-  const NamedRenderer chosen =
-      choose_renderer(arguments.renderer, {.reference_tolerance = arguments.tolerance});
+  NamedRenderer chosen = choose_renderer(arguments.renderer, {.reference_tolerance = arguments.tolerance});
   if (interrupted()) throw RenderCancelled();
 
   const auto start = std::chrono::steady_clock::now();
@@ -99,10 +99,12 @@ int run_render(const RenderArguments& arguments, const std::string& command_line
     frame = chosen.renderer->render(snapshot, passes, [&](double share) { return bar(share) || has_passes; });
   }
   const double render_ms = milliseconds_since(start);
-  const RenderStats& stats = chosen.renderer->stats();
+  // What the renderer holds is not needed beside the picture's channels and their encoding.
+  const RenderStats stats = chosen.renderer->stats();
+  chosen.renderer.reset();
   for (const std::string& warning : stats.warnings) warn(warning);
 
-  Image image = frame_to_image(frame);
+  Image image = frame_to_image(std::exchange(frame, {}));
   add_camera_metadata(image, snapshot.camera);
   const std::string hash = scene_hash_text(snapshot);
   image.metadata[attribute::command] = command_line;
@@ -125,7 +127,7 @@ int run_render(const RenderArguments& arguments, const std::string& command_line
   const std::string change =
       stats.rest_change ? fmt::format(", to rest within {:.2g} of 255", *stats.rest_change) : "";
   note(fmt::format("{}: {}, {}, {}x{}, {} passes in {:.2f} s (maps {:.0f} ms){}", join(outputs), chosen.name,
-                   snapshot.quality.name, frame.width, frame.height, stats.passes, render_ms / 1000.0,
+                   snapshot.quality.name, image.width, image.height, stats.passes, render_ms / 1000.0,
                    stats.map_ms, change));
   if (cut_short)
     warn(fmt::format("interrupted: {} holds what {} of {} gave", join(outputs), stats.passes, most));
@@ -134,7 +136,7 @@ int run_render(const RenderArguments& arguments, const std::string& command_line
                                      {"outputs", outputs},
                                      {"renderer", chosen.name},
                                      {"preset", snapshot.quality.name},
-                                     {"size", {frame.width, frame.height}},
+                                     {"size", {image.width, image.height}},
                                      {"passes", stats.passes},
                                      {"interrupted", cut_short},
                                      {"scene_hash", hash}};
