@@ -3,7 +3,7 @@
 #include "host/graph/evaluation/evaluation.h"
 
 #include <algorithm>
-#include <deque>
+#include <forward_list>
 
 #include "host/graph/evaluation/compute_context.h"
 #include "host/graph/graph_error.h"
@@ -51,7 +51,7 @@ class Evaluation::Context : public ComputeContext {
           spec.type != AttributeType::choice)
         return value;
     }
-    return converted_.emplace_back(evaluation_.gathered(node_, attribute, element));
+    return converted_.emplace_front(evaluation_.gathered(node_, attribute, element));
   }
   std::vector<std::int32_t> elements(AttributeIndex array) override { return node_.elements(array); }
   Value input_at(double time, AttributeIndex attribute, std::int32_t element) override {
@@ -63,7 +63,13 @@ class Evaluation::Context : public ComputeContext {
   void set_output(AttributeIndex attribute, Value value) override {
     const SchemaAttribute& declared = (*node_.schema)[attribute];
     if (!declared.spec.output) throw GraphError("writes '" + declared.path + "', which is no output");
-    outputs_[attribute] = fitted(declared.spec, value);
+    Value fit = fitted(declared.spec, value);
+    for (auto& [written, old] : outputs_)
+      if (written == attribute) {
+        old = std::move(fit);
+        return;
+      }
+    outputs_.emplace_back(attribute, std::move(fit));
   }
   bool cancelled() const override {
     return evaluation_.services_.cancelled &&
@@ -78,7 +84,12 @@ class Evaluation::Context : public ComputeContext {
   }
   const std::string& node_name() const override { return node_.name; }
 
-  std::map<AttributeIndex, Value> outputs_;
+  bool wrote(AttributeIndex attribute) const {
+    return std::any_of(outputs_.begin(), outputs_.end(),
+                       [&](const auto& pair) { return pair.first == attribute; });
+  }
+
+  std::vector<std::pair<AttributeIndex, Value>> outputs_;
   std::vector<OtherTimeRead> reads_;
 
  private:
@@ -90,7 +101,7 @@ class Evaluation::Context : public ComputeContext {
   Evaluation& evaluation_;
   const Node& node_;
   const Plug output_;
-  std::deque<Value> converted_;  // stay where they are
+  std::forward_list<Value> converted_;  // stay where they are
 };
 
 Evaluation::Evaluation(GraphSnapshotPtr snapshot, double time, EvaluationServices services)
@@ -120,17 +131,12 @@ ResultPtr Evaluation::evaluate(const Plug& wanted) {
   return std::make_shared<const Result>(std::move(part));
 }
 
-// A result that will do, from here or from before.
-ResultPtr Evaluation::find(const Plug& plug, bool need_value) {
-  const auto found = results_.find(plug);
-  if (found != results_.end()) {
-    const ResultPtr& result = found->second;
-    return result->has_value || result->error || !need_value ? result : nullptr;
-  }
-  ResultPtr known = services_.known ? services_.known(plug) : nullptr;
-  if (!known || (!known->has_value && !known->error && need_value)) return nullptr;
-  store(plug, known);
-  return known;
+// A result that will do, from here or from before. What was looked for in vain is noted by an empty result.
+const Result* Evaluation::find(const Plug& plug, bool need_value) {
+  const auto [place, fresh] = results_.try_emplace(plug);
+  if (fresh && services_.known) place->second = services_.known(plug);
+  const Result* result = place->second.get();
+  return result && (result->has_value || result->error || !need_value) ? result : nullptr;
 }
 
 void Evaluation::sources_of(const Node& node, const Plug& plug, std::vector<Plug>& sources) const {
@@ -299,7 +305,7 @@ ResultPtr Evaluation::compute(const Node& node, const Plug& output, Hash key, bo
     ++computes_[node.type.get()];
     try {
       node.type->spec().compute(context, output.attribute);
-      if (!context.outputs_.contains(output.attribute))
+      if (!context.wrote(output.attribute))
         message = "computed nothing for '" + (*node.schema)[output.attribute].path + "'";
     } catch (const EvaluationCancelled&) {
       throw;

@@ -47,7 +47,7 @@ class Evaluation {
   /// EvaluationCancelled; what else fails becomes the error of the result.
   ResultPtr evaluate(const Plug& plug);
 
-  /// Outputs that were looked at, with their results.
+  /// What was looked at, with its result; null for what was not needed in the end.
   const std::unordered_map<Plug, ResultPtr>& results() const { return results_; }
   const EvaluationCounters& counters() const { return counters_; }
   /// Inputs that computations read although they do not affect the output, as "node.out reads node.seed".
@@ -56,7 +56,7 @@ class Evaluation {
  private:
   class Context;
 
-  ResultPtr find(const Plug& plug, bool need_value);
+  const Result* find(const Plug& plug, bool need_value);
   bool advance(const Plug& plug, bool need_value, std::vector<std::pair<Plug, bool>>& stack);
   void sources_of(const Node& node, const Plug& plug, std::vector<Plug>& sources) const;
   ResultPtr pass_on(const Node& node, const Plug& plug);

@@ -155,7 +155,7 @@ ResultPtr Evaluator::evaluate_at(double frames, const Plug& plug) {
 
 // Makes a result the state of an output, and tells of a failure that is new.
 void Evaluator::accept(const Plug& output, const ResultPtr& result) {
-  OutputState* state = this->state(output);
+  OutputState* state = result ? this->state(output) : nullptr;
   if (!state) return;  // an input that is passed on
   if (state->clean && state->result == result) return;
   state->result = result;
@@ -229,7 +229,7 @@ std::vector<std::string> Evaluator::check(const Plug& plug) {
   };
   std::set<Plug> wrong;
   for (const auto& [output, fresh] : anew.results())
-    if (differs(output, fresh)) wrong.insert(output);
+    if (fresh && differs(output, fresh)) wrong.insert(output);
   std::set<Plug> suspects = wrong;
   for (const auto& [output, reads] : anew.undeclared_reads()) suspects.insert(output);
   std::vector<std::string> lines;

@@ -5,60 +5,61 @@ namespace plinian::graph {
 
 namespace {
 
-// What an entry costs besides the value itself [bytes].
-constexpr std::size_t overhead = 200;
-// Entries whose value has gone are kept up to this number.
-constexpr std::size_t max_entries = 1'000'000;
+// Numbers and what is left of larger values are kept up to this many.
+constexpr std::size_t max_light_entries = 1'000'000;
 
 }  // namespace
 
 std::optional<ValueCache::Entry> ValueCache::find(Hash key) {
   const std::lock_guard lock(mutex_);
-  const auto found = by_key_.find(key);
-  if (found == by_key_.end()) return std::nullopt;
-  if (found->second->entry.result->has_value) entries_.splice(entries_.begin(), entries_, found->second);
-  return found->second->entry;
+  const auto found = entries_.find(key);
+  if (found == entries_.end()) return std::nullopt;
+  Stored& stored = found->second;
+  if (stored.bytes > 0) recent_.splice(recent_.begin(), recent_, stored.recent);
+  return stored.entry;
 }
 
 void ValueCache::insert(Hash key, Entry entry) {
   const std::lock_guard lock(mutex_);
-  const std::size_t bytes = overhead + bytes_held(entry.result->value);
-  if (const auto found = by_key_.find(key); found != by_key_.end()) {
-    if (found->second == first_empty_) ++first_empty_;
-    bytes_ -= found->second->bytes;
-    entries_.erase(found->second);
-    by_key_.erase(found);
-  }
-  entries_.push_front({key, std::move(entry), bytes});
-  by_key_.emplace(key, entries_.begin());
-  bytes_ += bytes;
+  Stored& stored = entries_[key];
+  const bool was_light = stored.entry.result && stored.bytes == 0;
+  if (stored.bytes > 0) recent_.erase(stored.recent);
+  bytes_ -= stored.bytes;
+  stored.entry = std::move(entry);
+  stored.bytes = bytes_held(stored.entry.result->value);
+  bytes_ += stored.bytes;
+  if (stored.bytes > 0)
+    stored.recent = recent_.insert(recent_.begin(), key);
+  else if (!was_light)
+    light_.push_back(key);
   shrink();
 }
 
 void ValueCache::shrink() {
-  while (bytes_ > budget_ && first_empty_ != entries_.begin()) {
-    const auto oldest = std::prev(first_empty_);
-    Result husk = *oldest->entry.result;
+  while (bytes_ > budget_ && !recent_.empty()) {
+    Stored& oldest = entries_.at(recent_.back());
+    Result husk = *oldest.entry.result;
     husk.value = {};
     husk.has_value = false;
-    oldest->entry.result = std::make_shared<const Result>(std::move(husk));
-    bytes_ -= oldest->bytes;
-    oldest->bytes = 0;
-    first_empty_ = oldest;
+    oldest.entry.result = std::make_shared<const Result>(std::move(husk));
+    bytes_ -= oldest.bytes;
+    oldest.bytes = 0;
+    light_.push_back(recent_.back());
+    recent_.pop_back();
   }
-  while (entries_.size() > max_entries && first_empty_ != entries_.end()) {
-    const auto last = std::prev(entries_.end());
-    if (last == first_empty_) first_empty_ = entries_.end();
-    by_key_.erase(last->key);
-    entries_.erase(last);
+  while (light_.size() > max_light_entries) {
+    // It may have got a larger value since.
+    const auto oldest = entries_.find(light_.front());
+    if (oldest != entries_.end() && oldest->second.bytes == 0) entries_.erase(oldest);
+    light_.pop_front();
   }
 }
 
 void ValueCache::clear() {
   const std::lock_guard lock(mutex_);
   entries_.clear();
-  by_key_.clear();
-  first_empty_ = entries_.end();
+  recent_.clear();
+  light_.clear();
   bytes_ = 0;
 }
 

@@ -2,6 +2,7 @@
 // nothing.
 #pragma once
 
+#include <deque>
 #include <list>
 #include <mutex>
 #include <optional>
@@ -42,16 +43,16 @@ class ValueCache {
 
  private:
   struct Stored {
-    Hash key;
     Entry entry;
-    std::size_t bytes = 0;
+    std::size_t bytes = 0;               // that the value holds
+    std::list<Hash>::iterator recent{};  // where bytes > 0: its place in recent_
   };
   void shrink();
 
   mutable std::mutex mutex_;
-  std::list<Stored> entries_;  // the most recently used first; those without a value at the end
-  std::unordered_map<Hash, std::list<Stored>::iterator> by_key_;
-  std::list<Stored>::iterator first_empty_ = entries_.end();
+  std::unordered_map<Hash, Stored> entries_;
+  std::list<Hash> recent_;  // values that hold memory, the most recently used first
+  std::deque<Hash> light_;  // numbers, and what is left of values that have gone, the oldest first
   std::size_t budget_, bytes_ = 0;
 };
 

@@ -13,9 +13,9 @@ ValueCache::Entry entry(std::size_t bytes, std::uint64_t identity) {
 }
 
 TEST(ValueCache, LetsGoOfTheValueUsedLongestAgoButRemembersWhatItWas) {
-  ValueCache cache(3000);
+  ValueCache cache(2500);
   for (std::uint64_t i = 1; i <= 3; ++i) cache.insert({i, 0}, entry(700, i));
-  EXPECT_LE(cache.bytes(), 3000u);
+  EXPECT_LE(cache.bytes(), 2500u);
   EXPECT_TRUE(cache.find({1, 0})->result->has_value);
   cache.insert({4, 0}, entry(700, 4));  // 2 is the oldest by use
   EXPECT_FALSE(cache.find({2, 0})->result->has_value);
@@ -23,7 +23,7 @@ TEST(ValueCache, LetsGoOfTheValueUsedLongestAgoButRemembersWhatItWas) {
   EXPECT_TRUE(cache.find({1, 0})->result->has_value);
   cache.insert({2, 0}, entry(700, 2));
   EXPECT_TRUE(cache.find({2, 0})->result->has_value);
-  EXPECT_LE(cache.bytes(), 3000u);
+  EXPECT_LE(cache.bytes(), 2500u);
   EXPECT_FALSE(cache.find({9, 0}));
   cache.set_budget(0);
   EXPECT_EQ(cache.bytes(), 0u);
