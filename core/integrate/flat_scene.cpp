@@ -198,6 +198,8 @@ std::vector<FlatScene> exact_batches(const FlatScene& scene) {
   for (std::size_t l = 0; l < scene.lights.size(); ++l) {
     FlatScene part = part_of(scene, l, l + 1);
     part.view.light = LightLookup::march;
+    // Further passes shade four times as finely as this says; a march per lookup is too dear for that.
+    part.view.quantum = std::min(4.0f * part.view.quantum, 1.0f);
     part.view.march_step = 0.5f;
     part.view.march_depth = 16.0f;
     batches.push_back(std::move(part));

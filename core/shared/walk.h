@@ -202,9 +202,9 @@ PLN_FN void walk_segment_end(PLN_SCENE, PLN_INOUT(Walk) walk) {
   }
 }
 
-/// Segments of more optical depth than this are halved, down to this share of a step.
-PLN_CONST float steep_segment = 0.1f;    // [-]
-PLN_CONST float shortest_segment = 0.3f;  // of the spacing of samples
+/// Segments of more optical depth than this are cut shorter, but not under this length.
+PLN_CONST float steep_segment = 0.1f;     // [-]
+PLN_CONST float shortest_segment = 0.3f;  // [voxels]
 
 /// Where density begins that is zero at t and is not at t_b, about a voxel on [t]. It begins at a plane of the
 /// voxel grid; the ray may cross several on the way, and the last one is right on average.
@@ -220,9 +220,11 @@ PLN_FN float density_onset(LocalRay ray, float t, float t_b) {
 /// To be called while t_b < t_end.
 PLN_FN void walk_advance(PLN_SCENE, PLN_INOUT(Walk) walk, float step) {
   float leap = walk.t_end;
+  float sigma = 0.0f;
   FOR_MEDIA {
     walk.a[m] = walk.b[m];
     leap = min(leap, walk.empty_until[m]);
+    sigma += walk.a[m] * MEDIUM(m).sigma_group;
   }
   // Far from the camera a step must not drown in rounding: the slack below stands well above it.
   float spacing = max(step * walk.per_step, 2e-5f * walk.t_b);
@@ -230,7 +232,10 @@ PLN_FN void walk_advance(PLN_SCENE, PLN_INOUT(Walk) walk, float step) {
   walk.comb += floor((walk.t - walk.comb) / spacing + 0.02f) * spacing;
   // Where a step is a few roundings of t, the quotient may fall short by one: a walk always moves on.
   walk.comb += walk.comb + spacing <= walk.t ? spacing : 0.0f;
-  walk.t_b = min(walk.comb + spacing, walk.t_end);
+  // Inside dense matter a segment is short from the start.
+  float shortest = shortest_segment * walk.per_step;
+  walk.t_b = min(min(walk.comb + spacing, walk.t + max(1.5f * steep_segment / max(sigma, 1e-20f), shortest)),
+                 walk.t_end);
   if (ANALYTIC_MEDIA || SEVERAL_MEDIA) {
     // A segment ends where a medium begins or ends.
     FOR_MEDIA {
@@ -247,14 +252,14 @@ PLN_FN void walk_advance(PLN_SCENE, PLN_INOUT(Walk) walk, float step) {
     depth += 0.5f * (walk.a[m] + walk.b[m]) * MEDIUM(m).sigma_group * dt;
     empty_before = empty_before && walk.a[m] == 0.0f;
   }
-  bool steep = depth > steep_segment && dt > shortest_segment * spacing;
+  bool steep = depth > steep_segment && dt > shortest;
   while (steep) {
     dt *= 0.5f;
     walk.t_b = walk.t + dt;
     walk_segment_end(scene, walk);
     depth = 0.0f;
     FOR_MEDIA depth += 0.5f * (walk.a[m] + walk.b[m]) * MEDIUM(m).sigma_group * dt;
-    steep = depth > steep_segment && dt > shortest_segment * spacing;
+    steep = depth > steep_segment && dt > shortest;
   }
   FOR_MEDIA {
     if (MEDIUM(m).shape == shape_voxels && walk.b[m] > 0.0f)
