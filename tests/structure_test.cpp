@@ -36,7 +36,8 @@ const std::set<std::string> sources = {".h", ".cpp", ".comp", ".glsl"};
 
 // The folder that decides what a file may use.
 std::string layer_of(const std::string& path) {
-  for (const char* layer : {"host/cli/", "host/window/", "host/graph/", "host/", "viewport/", "core/", "tests/"})
+  for (const char* layer :
+       {"host/cli/", "host/window/", "host/graph/", "host/sdk/", "host/", "viewport/", "core/", "tests/"})
     if (path.starts_with(layer)) return std::string(layer);
   return "";
 }
@@ -46,10 +47,11 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"core/", {}},
     {"viewport/", {"core/"}},
     {"host/graph/", {"core/"}},
-    {"host/", {"core/", "host/graph/"}},
-    {"host/cli/", {"core/", "viewport/", "host/", "host/graph/"}},
-    {"host/window/", {"core/", "viewport/", "host/", "host/graph/"}},
-    {"tests/", {"core/", "viewport/", "host/", "host/graph/", "host/cli/", "host/window/"}},
+    {"host/sdk/", {"core/", "host/graph/"}},
+    {"host/", {"core/", "host/graph/", "host/sdk/"}},
+    {"host/cli/", {"core/", "viewport/", "host/", "host/graph/", "host/sdk/"}},
+    {"host/window/", {"core/", "viewport/", "host/", "host/graph/", "host/sdk/"}},
+    {"tests/", {"core/", "viewport/", "host/", "host/graph/", "host/sdk/", "host/cli/", "host/window/"}},
 };
 
 // Includes that are forbidden, one line each.

@@ -105,6 +105,12 @@ std::vector<std::string> History::redo_names() const {
   return names;
 }
 
+void History::forget_steps() {
+  const bool modified = is_modified();
+  clear();
+  if (!modified) mark_saved();
+}
+
 void History::clear() {
   undo_.clear();
   redo_.clear();

@@ -50,6 +50,8 @@ class History {
   void end_merge() { can_merge_ = false; }
   /// Forgets all steps, as a new scene does.
   void clear();
+  /// ... and leaves it at that whether the scene was modified.
+  void forget_steps();
 
   /// Whether the scene differs from what it was when it was marked as saved.
   bool is_modified() const { return state() != saved_state_; }

@@ -207,13 +207,10 @@ std::vector<std::string> Evaluator::take_reports() {
 
 void Evaluator::forget() {
   cache_.clear();
+  cancel_all();
   ++moment_;
-  for (const RequestPtr& request : in_flight_) request->cancelled = true;
   for (auto& states : states_)
-    for (OutputState& state : states) {
-      state.clean = false;
-      state.dirtied_at = moment_;
-    }
+    for (OutputState& state : states) state = {.pending = state.pending, .dirtied_at = moment_};
 }
 
 std::vector<std::string> Evaluator::check(const Plug& plug) {

@@ -44,6 +44,7 @@ class Evaluator : private GraphObserver {
   /// the request without waiting for it. `done` is called by poll.
   RequestId request(std::vector<Plug> plugs, std::function<void(const Outcome&)> done);
   void cancel(RequestId id);
+  void cancel_all();
   /// Takes over what workers have finished; results that an edit has overtaken are dropped. Returns how many
   /// requests ended.
   std::size_t poll();
@@ -76,7 +77,7 @@ class Evaluator : private GraphObserver {
   const EvaluationCounters& counters() const { return counters_; }
   std::uint64_t dirtied() const { return dirtied_; }  // outputs, ever
   ValueCache& cache() { return cache_; }
-  /// Forgets all results, as when a node type is replaced by another of the same name and version.
+  /// Forgets all results, as when a node type goes, or is replaced by another of the same name and version.
   void forget();
 
  private:

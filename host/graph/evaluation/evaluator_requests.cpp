@@ -61,6 +61,10 @@ void Evaluator::cancel(RequestId id) {
     if (request->id == id) request->cancelled = true;
 }
 
+void Evaluator::cancel_all() {
+  for (const RequestPtr& request : in_flight_) request->cancelled = true;
+}
+
 void Evaluator::work() {
   while (true) {
     RequestPtr request;

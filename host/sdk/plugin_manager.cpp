@@ -1,0 +1,227 @@
+// Plug-ins: dlopen, and everything that must hold before and after.
+#include "host/sdk/plugin_manager.h"
+
+#include <dlfcn.h>
+
+#include <cstdlib>
+
+#include "core/scene/nearest_word.h"
+#include "host/graph/files/unknown_nodes.h"
+#include "host/graph/graph_error.h"
+
+namespace plinian::sdk {
+
+namespace fs = std::filesystem;
+using graph::GraphError;
+
+struct PluginManager::Library {
+  PluginDescription description;
+  std::string path;
+  void* handle = nullptr;
+  PluginRegistrar registrar;
+  void (*uninitialise)(const PlinianHost*) = nullptr;
+  std::vector<graph::NodeTypePtr> types;
+  std::vector<std::string> commands;
+};
+
+PluginManager::PluginManager(graph::Session& session, std::vector<fs::path> folders) : session_(session) {
+  if (const char* variable = std::getenv("PLINIAN_PLUGIN_PATH")) {
+    const std::string list = variable;
+    for (std::size_t begin = 0; begin <= list.size();) {
+      const std::size_t end = std::min(list.find(':', begin), list.size());
+      // An empty or relative entry would mean the current folder, whatever that is.
+      if (const fs::path folder = list.substr(begin, end - begin); folder.is_absolute())
+        folders_.push_back(folder);
+      begin = end + 1;
+    }
+  }
+  folders_.insert(folders_.end(), folders.begin(), folders.end());
+  add_commands();
+}
+
+PluginManager::~PluginManager() {
+  while (!libraries_.empty()) unload(libraries_.begin()->first, true);
+  for (const char* command : {"loadPlugin", "unloadPlugin", "pluginInfo"})
+    session_.commands().remove(command);
+}
+
+std::string PluginManager::find(const std::string& name) const {
+  if (name.find('/') != name.npos) {
+    std::error_code error;
+    if (!fs::exists(name, error)) throw GraphError(name + ": there is no such file");
+    return name;
+  }
+  for (const fs::path& folder : folders_)
+    for (const std::string& file : {name + ".so", "lib" + name + ".so"}) {
+      std::error_code error;
+      if (fs::is_regular_file(folder / file, error)) return (folder / file).string();
+    }
+  std::vector<std::string> looked;
+  for (const fs::path& folder : folders_) looked.push_back(folder.string());
+  throw GraphError("there is no plug-in " + graph::shown(name) + " in " +
+                   (looked.empty() ? "any folder: set PLINIAN_PLUGIN_PATH, or give a path" : join(looked)));
+}
+
+std::string PluginManager::load(const std::string& name_or_path) {
+  auto library = std::make_unique<Library>();
+  library->path = find(name_or_path);
+  const auto refuse = [&](const std::string& why) -> GraphError {
+    return GraphError(library->path + ": " + why);
+  };
+  library->description = read_description(library->path);
+  const PluginDescription& description = library->description;
+  if (const std::string problem = abi_problem(description); !problem.empty()) throw refuse(problem);
+  if (libraries_.contains(description.name))
+    throw refuse("the plug-in '" + description.name + "' is loaded already, from " +
+                 libraries_.at(description.name)->path);
+
+  library->handle = ::dlopen(fs::absolute(library->path).c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!library->handle) {
+    const char* why = ::dlerror();
+    throw refuse(std::string("cannot be loaded: ") + (why ? why : "no reason is given"));
+  }
+  // Whatever fails from here on, the library goes as it came.
+  struct Closer {
+    Library& library;
+    bool armed = true;
+    ~Closer() {
+      if (!armed) return;
+      library.registrar.node_types.clear();
+      library.registrar.commands.clear();
+      ::dlclose(library.handle);
+    }
+  } closer{*library};
+  const auto symbol = [&](const char* name) {
+    void* found = ::dlsym(library->handle, name);
+    if (!found) throw refuse(std::string("lacks the function ") + name);
+    return found;
+  };
+  const auto initialise = reinterpret_cast<int (*)(const PlinianHost*)>(symbol("plinian_initialise"));
+  library->uninitialise = reinterpret_cast<void (*)(const PlinianHost*)>(symbol("plinian_uninitialise"));
+  bool success = false;
+  try {
+    success = initialise(&library->registrar.host()) != 0;
+  } catch (...) {
+    throw refuse("failed to initialise: it threw an exception");  // one that does not use plugin.h
+  }
+  const auto back_out = [&](const std::string& why) {
+    for (const graph::NodeTypePtr& type : library->types) session_.types().remove(type->name());
+    for (const std::string& command : library->commands) session_.commands().remove(command);
+    library->types.clear();
+    library->uninitialise(&library->registrar.host());
+    throw refuse(why);
+  };
+  if (!success || !library->registrar.error.empty())
+    back_out("failed to initialise: " + (library->registrar.error.empty() ? std::string("no reason is given")
+                                                                          : library->registrar.error));
+  try {
+    for (graph::NodeTypeSpec& spec : library->registrar.node_types) {
+      spec.plugin = description.name;
+      spec.plugin_version = description.version;
+      library->types.push_back(session_.types().add(std::move(spec)));
+    }
+    for (graph::CommandSpec& spec : library->registrar.commands) {
+      const std::string name = spec.name;
+      session_.commands().add(std::move(spec));
+      library->commands.push_back(name);
+    }
+  } catch (const GraphError& error) {
+    back_out(error.what());
+  }
+  library->registrar.node_types.clear();
+  library->registrar.commands.clear();
+  closer.armed = false;
+  const std::string name = description.name;
+  Library& kept = *libraries_.emplace(name, std::move(library)).first->second;
+  for (const graph::NodeTypePtr& type : kept.types)
+    for (const std::string& warning : graph::revive_nodes(session_.editor(), type)) session_.warn(warning);
+  return name;
+}
+
+void PluginManager::unload(const std::string& name, bool force) {
+  const auto found = libraries_.find(name);
+  if (found == libraries_.end()) {
+    std::vector<std::string> known;
+    for (const auto& [loaded, library] : libraries_) known.push_back(loaded);
+    throw GraphError("the plug-in " + graph::shown(name) + " is not loaded" + did_you_mean(name, known));
+  }
+  Library& library = *found->second;
+  std::vector<std::string> users;
+  for (const graph::Node* node : session_.graph().nodes())
+    if (node->type->spec().plugin == name && !node->type->is_unknown()) users.push_back(node->name);
+  if (!users.empty() && !force) {
+    const std::size_t count = users.size();
+    if (count > 5) users.resize(5);
+    throw GraphError("the plug-in '" + name + "' is in use by " + join(users) +
+                     (count > 5 ? " and " + std::to_string(count - 5) + " more" : "") +
+                     ": delete them, or give -force to keep them as unknown nodes");
+  }
+  for (const graph::NodeTypePtr& type : library.types) {
+    session_.types().remove(type->name());
+    graph::forget_type(session_.editor(), type);
+  }
+  // Steps of undo would bring back nodes whose code is gone.
+  if (!library.types.empty()) session_.history().forget_steps();
+  for (const std::string& command : library.commands) session_.commands().remove(command);
+  close(library);
+  libraries_.erase(found);
+}
+
+// Nothing of the library may run any more, nor be held, before it goes.
+void PluginManager::close(Library& library) {
+  session_.evaluator().cancel_all();
+  session_.evaluator().finish();
+  session_.evaluator().forget();
+  library.types.clear();
+  library.uninitialise(&library.registrar.host());
+  // Somebody, a picture on the screen for instance, may still hold data that the library must release: then
+  // it stays.
+  if (live_plugin_data() == 0) ::dlclose(library.handle);
+}
+
+std::vector<PluginManager::Loaded> PluginManager::plugins() const {
+  std::vector<Loaded> result;
+  for (const auto& [name, library] : libraries_) result.push_back({library->description, library->path});
+  return result;
+}
+
+void PluginManager::add_commands() {
+  using enum graph::ArgumentKind;
+  session_.commands().add({.name = "loadPlugin",
+                           .help = "Loads a plug-in and answers with its name.",
+                           .parameters = {{"plugin", path, "name, or path of its library"}},
+                           .run =
+                               [this](graph::Session&, const graph::Arguments& arguments) {
+                                 return graph::CommandResult{load(arguments.text("plugin"))};
+                               },
+                           .handles_history = true});
+  session_.commands().add({.name = "unloadPlugin",
+                           .help = "Unloads a plug-in that no node needs.",
+                           .parameters = {{"plugin", text, "its name"}},
+                           .flags = {{"force", "keeps its nodes as unknown ones", {}}},
+                           .run =
+                               [this](graph::Session&, const graph::Arguments& arguments) {
+                                 unload(arguments.text("plugin"), arguments.has("force"));
+                                 return graph::CommandResult();
+                               },
+                           .handles_history = true});
+  session_.commands().add(
+      {.name = "pluginInfo",
+       .help = "Answers with what is loaded, or what a plug-in that is not loaded says of itself.",
+       .parameters = {{"plugin", path, "name or path; else all that are loaded", true}},
+       .run = [this](graph::Session&, const graph::Arguments& arguments) {
+         graph::CommandResult lines;
+         const auto tell = [&](const PluginDescription& d, const std::string& path) {
+           lines.push_back(d.name + " " + d.version + ", " + d.vendor + ", interface " +
+                           std::to_string(d.abi_major) + "." + std::to_string(d.abi_minor) + ", registers " +
+                           join(d.registers, " ") + ", " + path);
+         };
+         const std::string wanted = arguments.text("plugin");
+         for (const Loaded& loaded : plugins())
+           if (wanted.empty() || wanted == loaded.description.name) tell(loaded.description, loaded.path);
+         if (!wanted.empty() && lines.empty()) tell(read_description(find(wanted)), find(wanted));
+         return lines;
+       }});
+}
+
+}  // namespace plinian::sdk

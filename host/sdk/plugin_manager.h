@@ -1,0 +1,55 @@
+// Loads and unloads plug-ins.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host/graph/commands/session.h"
+#include "host/sdk/plugin_description.h"
+#include "host/sdk/plugin_registrar.h"
+
+namespace plinian::sdk {
+
+class PluginManager {
+ public:
+  /// Adds the commands loadPlugin, unloadPlugin and pluginInfo to the session. folders: to look for plug-ins
+  /// in, after those of $PLINIAN_PLUGIN_PATH; never the current folder.
+  PluginManager(graph::Session& session, std::vector<std::filesystem::path> folders);
+  ~PluginManager();
+  PluginManager(const PluginManager&) = delete;
+  PluginManager& operator=(const PluginManager&) = delete;
+
+  /// Loads a plug-in by the path of its library (anything with a '/') or by name, as NAME.so or libNAME.so in
+  /// one of the folders. Nodes that were waiting for its types come alive. Returns its name. Throws
+  /// GraphError, with file and reason, and leaves everything as it was: no such plug-in, no shared library,
+  /// no description, another ABI, a missing symbol, a failure to initialise, a type or command that exists
+  /// already.
+  std::string load(const std::string& name_or_path);
+
+  /// Unloads a plug-in once running evaluations have ended. Throws GraphError, naming nodes of its types,
+  /// where there are any; with `force` they become unknown ones that keep everything. Forgets results, and
+  /// steps of undo where nodes changed.
+  void unload(const std::string& name, bool force);
+
+  struct Loaded {
+    PluginDescription description;
+    std::string path;
+  };
+  std::vector<Loaded> plugins() const;
+  const std::vector<std::filesystem::path>& folders() const { return folders_; }
+
+ private:
+  struct Library;
+  std::string find(const std::string& name) const;
+  void add_commands();
+  void close(Library& library);
+
+  graph::Session& session_;
+  std::vector<std::filesystem::path> folders_;
+  std::map<std::string, std::unique_ptr<Library>> libraries_;
+};
+
+}  // namespace plinian::sdk

@@ -1,0 +1,181 @@
+#include "host/sdk/plugin_manager.h"
+
+#include <fstream>
+
+#include "host/graph/files/scene_reader.h"
+#include "host/graph/files/scene_writer.h"
+#include "tests/core/scene/temporary_folder.h"
+#include "tests/host/graph/message_of.h"
+
+namespace plinian::sdk {
+namespace {
+
+using graph::message_of;
+const std::string folder = PLINIAN_TEST_PLUGINS;
+
+struct PluginSession {
+  graph::Session session;
+  PluginManager plugins{session, {folder}};
+
+  std::string run(const std::string& lines) {
+    std::string answer;
+    run_script(session, lines, "script",
+               [&](const std::string& line) { answer += (answer.empty() ? "" : "\n") + line; });
+    return answer;
+  }
+  /// A refusal changes nothing: neither types nor commands nor what is loaded.
+  std::string refusal(const std::string& line) {
+    const auto types = session.types().names(), commands = session.commands().names();
+    const std::size_t loaded = plugins.plugins().size();
+    const std::string message = message_of([&] { session.execute(line); });
+    EXPECT_EQ(session.types().names(), types);
+    EXPECT_EQ(session.commands().names(), commands);
+    EXPECT_EQ(plugins.plugins().size(), loaded);
+    EXPECT_EQ(message.find('\n'), std::string::npos);
+    return message;
+  }
+};
+
+TEST(PluginManager, LoadsByNameAndRunsWhatItBrings) {
+  PluginSession s;
+  EXPECT_EQ(s.run("loadPlugin wobble"), "wobble");
+  EXPECT_EQ(s.run("createNode wobble -name w\nsetAttr w.amount 4\ngetAttr w.out"), "w\n8");
+  EXPECT_EQ(s.run("setAttr w.more[3] 1.5\nsetAttr w.offset.y 0.25\ngetAttr w.out"), "9.75");
+  EXPECT_EQ(s.run("setAttr w.mode off\ngetAttr w.out\nsetAttr w.mode on\ngetAttr w.label"),
+            "0\n\"two words\"");
+  EXPECT_EQ(s.run("setAttr w.strength 5\ngetAttr w.amount"), "5");  // by the name it had before
+  EXPECT_EQ(s.run("createNode wobbleTotal -name t\nconnectAttr w.numbers t.source\ngetAttr t.out"), "t\n10");
+  s.run("setAttr w.label fail");
+  EXPECT_EQ(message_of([&] { s.session.execute("getAttr w.out"); }), "w.out: the label says so");
+  EXPECT_NE(s.run("pluginInfo")
+                .find("wobble 1.2, A. Artist, interface 1.0, registers node:wobble command:wobbleAll, "),
+            std::string::npos);
+}
+
+TEST(PluginManager, ItsCommandsAreOneStepOfUndo) {
+  PluginSession s;
+  s.run("loadPlugin wobble\ncreateNode wobble -name a\ncreateNode wobble -name b");
+  EXPECT_EQ(s.run("wobbleAll 7 a b\ngetAttr a.amount\ngetAttr b.amount"), "done\n7\n7");
+  EXPECT_EQ(s.run("undo\ngetAttr a.amount\ngetAttr b.amount"), "wobbleAll 7 a b\n1\n1");
+  // What fails halfway is taken back, and says why in the words of the command that failed.
+  EXPECT_EQ(message_of([&] { s.session.execute("wobbleAll 9 a nobody"); }), "there is no node 'nobody'");
+  EXPECT_EQ(s.run("getAttr a.amount"), "1");
+  EXPECT_EQ(message_of([&] { s.session.execute("wobbleAll much a"); }),
+            "wobbleAll: AMOUNT expects a number, not 'much'");
+}
+
+TEST(PluginManager, AnInputIsReadAtAnotherTimeAcrossTheBoundary) {
+  PluginSession s;
+  s.run(
+      "loadPlugin wobble\ncreateNode wobble -name w\nconnectAttr time1.out w.when\n"
+      "setKeyframe w.in -time 0 -value 0 -interpolation linear\nsetKeyframe w.in -time 10 -value 100\n"
+      "currentTime 6");
+  EXPECT_EQ(s.run("getAttr w.in\ngetAttr w.before"), "60\n50");
+}
+
+TEST(PluginManager, BuiltWithTheOtherStringsItWorksAllTheSame) {
+  PluginSession s;
+  EXPECT_EQ(s.run("loadPlugin old_strings\ncreateNode oldWobble -name w\nsetAttr w.amount 3\ngetAttr w.out"),
+            "oldStrings\nw\n6");
+  EXPECT_EQ(s.run("loadPlugin wobble\ncreateNode wobble\ngetAttr wobble1.out"), "wobble\nwobble1\n2");
+}
+
+TEST(PluginManager, OlderScenesAreMigratedByIt) {
+  const TemporaryFolder own;
+  std::ofstream(own / "old.pln") << "plinian scene 1.0\nrequires wobble 1.0\nnode wobble w\n  .half 4\n"
+                                    "type wobble 1 from wobble 1.0\n  .half 0.5\nend\n";
+  PluginSession s;
+  s.run("loadPlugin wobble\nopen \"" + own / "old.pln" + "\"");
+  EXPECT_EQ(s.run("getAttr w.amount"), "8");
+}
+
+TEST(PluginManager, WhatCannotBeUsedIsRefusedAsAWhole) {
+  const TemporaryFolder own;
+  PluginSession s;
+  EXPECT_EQ(s.refusal("loadPlugin wabble"), "there is no plug-in 'wabble' in " + folder);
+  EXPECT_EQ(s.refusal("loadPlugin ./nowhere.so"), "./nowhere.so: there is no such file");
+  std::ofstream(own / "text.so") << "no library";
+  EXPECT_EQ(s.refusal("loadPlugin " + own / "text.so"),
+            own / "text.so" + std::string(": is not a shared library"));
+  EXPECT_EQ(s.refusal("loadPlugin throws"), folder + "/throws.so: failed to initialise: it is Monday");
+  EXPECT_EQ(
+      s.refusal("loadPlugin bad_type"),
+      folder + "/bad_type.so: node type 'badNode': attribute 'a' affects 'nothing', which is no output");
+  // The static initialisers of this one would end the program: it is judged by what it says of itself.
+  const auto described = [&](const std::string& plugin, const std::string& description) {
+    std::filesystem::copy_file(folder + "/" + plugin + ".so", own / plugin + ".so",
+                               std::filesystem::copy_options::overwrite_existing);
+    std::ofstream(own / plugin + ".so.plinian") << description;
+    return "loadPlugin " + own / plugin + ".so";
+  };
+  EXPECT_EQ(
+      s.refusal(described("plain", "name plain\nversion 1\nabi 2.0\n")),
+      own / "plain.so" + std::string(": was built for version 2.0 of the plug-in interface, this program has "
+                                     "1.0: it needs a newer Plinian"));
+  EXPECT_EQ(s.refusal(described("no_symbols", "name none\nversion 1\nabi 1.0\n")),
+            own / "no_symbols.so" + std::string(": lacks the function plinian_initialise"));
+  EXPECT_EQ(s.refusal(described("throws_through", "name through\nversion 1\nabi 1.0\n")),
+            own / "throws_through.so" + std::string(": failed to initialise: it threw an exception"));
+  s.run("loadPlugin wobble");
+  EXPECT_EQ(s.refusal("loadPlugin wobble"),
+            folder + "/wobble.so: the plug-in 'wobble' is loaded already, from " + folder + "/wobble.so");
+  EXPECT_EQ(s.refusal("loadPlugin same_type"),
+            folder + "/same_type.so: node type 'wobble' is already registered by the plug-in 'wobble'");
+  EXPECT_EQ(s.refusal("loadPlugin same_command"),
+            folder + "/same_command.so: the command 'wobbleAll' is already registered");
+  EXPECT_EQ(s.refusal("unloadPlugin wible"), "the plug-in 'wible' is not loaded (did you mean 'wobble'?)");
+}
+
+TEST(PluginManager, ACurrentFolderIsNoSearchPath) {
+  const TemporaryFolder own;
+  std::filesystem::copy_file(folder + "/wobble.so", own / "wobble.so");
+  const auto before = std::filesystem::current_path();
+  std::filesystem::current_path(own.path());
+  ::setenv("PLINIAN_PLUGIN_PATH", ":.:", 1);
+  graph::Session session;
+  PluginManager plugins(session, {});
+  EXPECT_EQ(message_of([&] { plugins.load("wobble"); }),
+            "there is no plug-in 'wobble' in any folder: set PLINIAN_PLUGIN_PATH, or give a path");
+  ::setenv("PLINIAN_PLUGIN_PATH", own.path().c_str(), 1);
+  PluginSession other;
+  EXPECT_EQ(other.plugins.folders().at(0), own.path());
+  EXPECT_EQ(other.plugins.load("wobble"), "wobble");
+  ::unsetenv("PLINIAN_PLUGIN_PATH");
+  std::filesystem::current_path(before);
+}
+
+TEST(PluginManager, UnloadingIsRefusedWhileNodesExistOrKeepsThemWhole) {
+  PluginSession s;
+  s.run(
+      "loadPlugin wobble\ncreateNode wobble -name w\ncreateNode wobbleTotal -name t\nconnectAttr w.numbers "
+      "t.source\n"
+      "setAttr w.amount 4\ngetAttr t.out");
+  EXPECT_EQ(
+      s.refusal("unloadPlugin wobble"),
+      "the plug-in 'wobble' is in use by w, t: delete them, or give -force to keep them as unknown nodes");
+  const std::string before = write_scene(s.session.graph());
+  s.run("unloadPlugin -force wobble");
+  EXPECT_EQ(live_plugin_data(), 0u);
+  EXPECT_TRUE(s.session.graph().find("w")->type->is_unknown());
+  EXPECT_EQ(write_scene(s.session.graph()), before);
+  EXPECT_EQ(message_of([&] { s.session.execute("createNode wobble"); }), "unknown node type 'wobble'");
+  EXPECT_EQ(message_of([&] { s.session.execute("undo"); }), "there is nothing to undo");
+  s.run("loadPlugin wobble");
+  EXPECT_EQ(s.run("getAttr t.out"), "9");
+  EXPECT_EQ(write_scene(s.session.graph()), before);
+  EXPECT_EQ(s.run("delete w t\nunloadPlugin wobble\npluginInfo"), "");
+}
+
+TEST(PluginManager, UnloadingEndsWhatIsRunning) {
+  PluginSession s;
+  s.run("loadPlugin wobble\ncreateNode wobble -name w");
+  for (int i = 0; i < 50; ++i) {
+    s.run("setAttr w.amount " + std::to_string(i));
+    s.session.evaluator().request({s.session.graph().plug("w.numbers")}, nullptr);
+  }
+  s.run("unloadPlugin -force wobble");
+  EXPECT_EQ(live_plugin_data(), 0u);
+}
+
+}  // namespace
+}  // namespace plinian::sdk
