@@ -42,7 +42,7 @@ struct LightBounds {
 /// First march: where light begins to fade and where it is dead.
 PLN_FN LightBounds detect_bounds(PLN_SCENE, vec3 origin, vec3 direction, int group, EncodeControls controls) {
   LightBounds bounds;
-  Walk walk = walk_begin(scene, origin, direction, 0.0f, 0.0f, group);
+  Walk walk = walk_begin(scene, origin, direction, 0.0f, controls.step, 0.0f, group);
   float k_in = walk.t;
   float k_out = walk.t_end;
   bounds.k_min = k_in;
@@ -58,7 +58,7 @@ PLN_FN LightBounds detect_bounds(PLN_SCENE, vec3 origin, vec3 direction, int gro
   while (alive) {
     alive = walk.t_b < walk.t_end;
     if (alive) {
-      walk_advance(scene, walk, controls.step);
+      walk_advance(scene, walk);
       float sigma_a = 0.0f;  // [1/world] of the group's reference channel
       float sigma_b = 0.0f;
       FOR_MEDIA {
@@ -117,13 +117,13 @@ PLN_FN uint encode_texel(PLN_SCENE, vec3 origin, vec3 direction, int group, floa
   float previous_x = 0.0f;
   float previous_t = 1.0f;  // T^(1/w) at previous_x
   bool alive = true;
-  Walk walk = walk_begin(scene, origin, direction, 0.0f, 0.0f, group);
+  Walk walk = walk_begin(scene, origin, direction, 0.0f, controls.step, 0.0f, group);
   float fine = range / float(controls.refine_steps);
   float area = 0.0f;
   while (alive) {
     alive = walk.t_b < min(walk.t_end, k_max);
     if (alive) {
-      walk_advance(scene, walk, controls.step);
+      walk_advance(scene, walk);
       float sigma_a = 0.0f;  // [1/world] of the group's reference channel
       float sigma_b = 0.0f;
       FOR_MEDIA {

@@ -100,12 +100,12 @@ PLN_FN int map_face(PLN_SCENE, int l, vec3 p) {
 /// Optical depth of colour group g's reference channel between p and light l, marched; ends where it passes
 /// LIGHT_MARCH_DEPTH.
 PLN_FN float march_light(PLN_SCENE, int l, int g, vec3 p) {
-  Walk walk = walk_begin(scene, p, -light_travel(scene, l, p), 0.0f, 0.0f, g);
+  Walk walk = walk_begin(scene, p, -light_travel(scene, l, p), 0.0f, LIGHT_MARCH_STEP, 0.0f, g);
   float reach = LIGHT(l).type == light_directional ? 1e30f : length(p - LIGHT(l).position);
   float end = min(walk.t_end, reach);
   float tau = 0.0f;
   while (walk.t_b < end && tau < LIGHT_MARCH_DEPTH) {
-    walk_advance(scene, walk, LIGHT_MARCH_STEP);
+    walk_advance(scene, walk);
     float length_inside = min(walk.t_b, end) - min(walk.t, end);
     FOR_MEDIA tau += 0.5f * (walk.a[m] + walk.b[m]) * length_inside * MEDIUM(m).sigma_group;
   }
@@ -176,7 +176,7 @@ PLN_FN ViewResult march_view(PLN_SCENE, vec3 origin, vec3 direction, float t_nea
   float guide_sigma[MEDIA_CAPACITY];  // what steers the march: the mean of the channels
   FOR_MEDIA guide_sigma[m] = sigma_guide(scene, m);
 
-  Walk walk = walk_begin(scene, origin, direction, t_near, controls.lead, -1);
+  Walk walk = walk_begin(scene, origin, direction, t_near, controls.step, controls.lead, -1);
   // In a haze, light varies where little opacity is gained: there a quantum ends after some length, too.
   float longest = 0.5f * controls.quantum * (walk.t_end - walk.t);
   Spectrum seen = Spectrum(1.0f);  // transmittance up to walk.t
@@ -250,7 +250,7 @@ PLN_FN ViewResult march_view(PLN_SCENE, vec3 origin, vec3 direction, float t_nea
       if (!full) {
         alive = walk.t_b < walk.t_end;
         gathering = alive;
-        if (alive) walk_advance(scene, walk, controls.step);
+        if (alive) walk_advance(scene, walk);
       }
     }
 

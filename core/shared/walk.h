@@ -11,6 +11,10 @@
 #include "core/shared/scene_access.h"
 PLN_BEGIN
 
+/// Segments of more optical depth than this are cut shorter, but not under this length.
+PLN_CONST float steep_segment = 0.1f;     // [-]
+PLN_CONST float shortest_segment = 0.3f;  // [voxels]
+
 /// A ray in the own space of one medium; t is the same as in world space. For voxels the origin is that of
 /// the index tree's root, so that coordinates inside are never negative.
 struct LocalRay {
@@ -30,7 +34,8 @@ struct Walk {
   float t;
   float t_b;
   float t_end;     // the last medium is left here
-  float per_step;  // [world] shortest of the rays'
+  float spacing;   // [world] of the sampling points
+  float shortest;  // [world] segments are not cut shorter
   float comb;      // [t] the sampling point at or before t_b
 };
 
@@ -148,13 +153,14 @@ PLN_FN float walk_density(PLN_SCENE, int m, LocalRay ray, float t, PLN_INOUT(flo
 }
 
 /// Starts a walk of the media of colour group `group` (all of them where it is negative) at t_near >= 0. The
-/// first segment is empty: walk_advance() finds the next. Sampling points begin `lead` voxels before the
-/// media.
-PLN_FN Walk walk_begin(PLN_SCENE, vec3 origin, vec3 direction, float t_near, float lead, int group) {
+/// first segment is empty: walk_advance() finds the next. Sampling points are `step` voxels apart and begin
+/// `lead` voxels before the media.
+PLN_FN Walk walk_begin(PLN_SCENE, vec3 origin, vec3 direction, float t_near, float step, float lead,
+                       int group) {
   Walk walk;
   walk.t = 1e30f;
   walk.t_end = 0.0f;
-  walk.per_step = 1e30f;
+  float per_step = 1e30f;  // [world]
   FOR_MEDIA {
     walk.rays[m] = local_ray(scene, m, origin, direction, t_near);
     if (group >= 0 && MEDIUM(m).group != group) walk.rays[m].t_leave = -1.0f;
@@ -165,7 +171,7 @@ PLN_FN Walk walk_begin(PLN_SCENE, vec3 origin, vec3 direction, float t_near, flo
     if (hit) {
       walk.t = min(walk.t, walk.rays[m].t_enter);
       walk.t_end = max(walk.t_end, walk.rays[m].t_leave);
-      walk.per_step = min(walk.per_step, walk.rays[m].per_step);
+      per_step = min(per_step, walk.rays[m].per_step);
     }
     // A ray that starts inside starts with the density there.
     bool inside = hit && walk.rays[m].t_enter <= t_near;
@@ -174,9 +180,12 @@ PLN_FN Walk walk_begin(PLN_SCENE, vec3 origin, vec3 direction, float t_near, flo
       inside = false;
     }
   }
-  walk.per_step = min(walk.per_step, max(walk.t_end - walk.t, 1e-18f));
+  per_step = min(per_step, max(walk.t_end - walk.t, 1e-18f));
+  // Far from the camera a step must not drown in rounding: the slack of walk_advance stands well above it.
+  walk.spacing = max(step * per_step, 2e-5f * walk.t_end);
+  walk.shortest = shortest_segment * per_step;
   walk.t_b = walk.t;
-  walk.comb = walk.t - lead * walk.per_step;
+  walk.comb = walk.t - lead * per_step;
   return walk;
 }
 
@@ -202,10 +211,6 @@ PLN_FN void walk_segment_end(PLN_SCENE, PLN_INOUT(Walk) walk) {
   }
 }
 
-/// Segments of more optical depth than this are cut shorter, but not under this length.
-PLN_CONST float steep_segment = 0.1f;     // [-]
-PLN_CONST float shortest_segment = 0.3f;  // [voxels]
-
 /// Where density begins that is zero at t and is not at t_b, about a voxel on [t]. It begins at a plane of the
 /// voxel grid; the ray may cross several on the way, and the last one is right on average.
 PLN_FN float density_onset(LocalRay ray, float t, float t_b) {
@@ -216,9 +221,9 @@ PLN_FN float density_onset(LocalRay ray, float t, float t_b) {
 }
 
 /// Moves on to the next segment: over empty space at one leap, else to the next of the ray's sampling points,
-/// which lie `step` voxels apart whatever was leapt over.
+/// which lie evenly whatever was leapt over; less far where matter is dense.
 /// To be called while t_b < t_end.
-PLN_FN void walk_advance(PLN_SCENE, PLN_INOUT(Walk) walk, float step) {
+PLN_FN void walk_advance(PLN_SCENE, PLN_INOUT(Walk) walk) {
   float leap = walk.t_end;
   float sigma = 0.0f;
   FOR_MEDIA {
@@ -226,15 +231,17 @@ PLN_FN void walk_advance(PLN_SCENE, PLN_INOUT(Walk) walk, float step) {
     leap = min(leap, walk.empty_until[m]);
     sigma += walk.a[m] * MEDIUM(m).sigma_group;
   }
-  // Far from the camera a step must not drown in rounding: the slack below stands well above it.
-  float spacing = max(step * walk.per_step, 2e-5f * walk.t_b);
-  walk.t = max(walk.t_b, walk.comb + floor((leap - walk.comb) / spacing) * spacing);
-  walk.comb += floor((walk.t - walk.comb) / spacing + 0.02f) * spacing;
-  // Where a step is a few roundings of t, the quotient may fall short by one: a walk always moves on.
-  walk.comb += walk.comb + spacing <= walk.t ? spacing : 0.0f;
+  walk.t = walk.t_b;
+  bool leaps = leap > walk.t;
+  while (leaps) {
+    walk.t = max(walk.t, walk.comb + floor((leap - walk.comb) / walk.spacing) * walk.spacing);
+    walk.comb += floor((walk.t - walk.comb) / walk.spacing) * walk.spacing;
+    leaps = false;
+  }
+  walk.comb += walk.t > walk.comb + 0.98f * walk.spacing ? walk.spacing : 0.0f;
   // Inside dense matter a segment is short from the start.
-  float shortest = shortest_segment * walk.per_step;
-  walk.t_b = min(min(walk.comb + spacing, walk.t + max(1.5f * steep_segment / max(sigma, 1e-20f), shortest)),
+  walk.t_b = min(min(walk.comb + walk.spacing,
+                     walk.t + max(1.5f * steep_segment / max(sigma, 1e-20f), walk.shortest)),
                  walk.t_end);
   if (ANALYTIC_MEDIA || SEVERAL_MEDIA) {
     // A segment ends where a medium begins or ends.
@@ -244,28 +251,32 @@ PLN_FN void walk_advance(PLN_SCENE, PLN_INOUT(Walk) walk, float step) {
     }
   }
   walk_segment_end(scene, walk);
-  float dt = walk.t_b - walk.t;
-  float depth = 0.0f;
-  float onset = walk.t_b;
   bool empty_before = true;
+  float sigma_b = 0.0f;
   FOR_MEDIA {
-    depth += 0.5f * (walk.a[m] + walk.b[m]) * MEDIUM(m).sigma_group * dt;
+    sigma_b += walk.b[m] * MEDIUM(m).sigma_group;
     empty_before = empty_before && walk.a[m] == 0.0f;
   }
-  bool steep = depth > steep_segment && dt > shortest;
+  float dt = walk.t_b - walk.t;
+  bool steep = (sigma + sigma_b) * dt > 2.0f * steep_segment && dt > walk.shortest;
   while (steep) {
     dt *= 0.5f;
     walk.t_b = walk.t + dt;
     walk_segment_end(scene, walk);
-    depth = 0.0f;
-    FOR_MEDIA depth += 0.5f * (walk.a[m] + walk.b[m]) * MEDIUM(m).sigma_group * dt;
-    steep = depth > steep_segment && dt > shortest;
+    sigma_b = 0.0f;
+    FOR_MEDIA sigma_b += walk.b[m] * MEDIUM(m).sigma_group;
+    steep = (sigma + sigma_b) * dt > 2.0f * steep_segment && dt > walk.shortest;
   }
-  FOR_MEDIA {
-    if (MEDIUM(m).shape == shape_voxels && walk.b[m] > 0.0f)
-      onset = min(onset, density_onset(walk.rays[m], walk.t, walk.t_b));
+  bool begins = empty_before && sigma_b > 0.0f;
+  while (begins) {
+    float onset = walk.t_b;
+    FOR_MEDIA {
+      if (MEDIUM(m).shape == shape_voxels && walk.b[m] > 0.0f)
+        onset = min(onset, density_onset(walk.rays[m], walk.t, walk.t_b));
+    }
+    walk.t = onset < walk.t_b ? onset : walk.t;
+    begins = false;
   }
-  if (empty_before && onset < walk.t_b) walk.t = onset;
 }
 
 PLN_END

@@ -23,11 +23,11 @@ Passed walk_through(const Medium& medium, double distance, float step) {
   const FlatScene flat = flatten(snapshot);
   const MarchViews views = view_of(flat, nullptr);
   shared::Walk walk = shared::walk_begin(views.scene, vec3(0.011f, -0.007f, float(-distance)), {0, 0, 1},
-                                         0.0f, 0.3f * step, -1);
+                                         0.0f, step, 0.3f * step, -1);
   Passed passed;
   // A walk that stands still is what this looks for: it must not hang the test.
   for (; walk.t_b < walk.t_end && passed.segments < 100000; ++passed.segments) {
-    shared::walk_advance(views.scene, walk, step);
+    shared::walk_advance(views.scene, walk);
     passed.column += 0.5 * (double(walk.a[0]) + walk.b[0]) * (double(walk.t_b) - walk.t);
   }
   return passed;
