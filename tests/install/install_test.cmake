@@ -17,11 +17,16 @@ run(${CMAKE_COMMAND} -S ${SOURCE}/tests/install/consumer -B ${WORK}/consumer -G 
 run(${CMAKE_COMMAND} --build ${WORK}/consumer)
 run(${WORK}/consumer/consumer)
 
+# A plug-in, built as anyone's.
+run(${CMAKE_COMMAND} -S ${SOURCE}/tests/install/plugin -B ${WORK}/plugin -G Ninja -DCMAKE_BUILD_TYPE=Release
+    -DCMAKE_PREFIX_PATH=${WORK}/prefix)
+run(${CMAKE_COMMAND} --build ${WORK}/plugin)
+
 set(program ${WORK}/prefix/bin/plinian)
 run(${program} --version)
 run(${program} make ash --resolution 16 -o ${WORK}/ash.vdb)
 run(${program} render ${WORK}/ash.vdb -o ${WORK}/ash.png --preset high --renderer cpu --size 16x16 --samples 1)
-foreach(file ${WORK}/ash.png ${WORK}/prefix/share/plinian/presets/fast.json)
+foreach(file ${WORK}/plugin/outside.so ${WORK}/ash.png ${WORK}/prefix/share/plinian/presets/fast.json)
   if(NOT EXISTS ${file})
     message(FATAL_ERROR "${file} is missing")
   endif()

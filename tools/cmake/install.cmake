@@ -6,6 +6,10 @@ foreach(library core viewport)
   install(TARGETS plinian_${library} EXPORT plinian-targets)
 endforeach()
 install(TARGETS plinian)
+# A plug-in needs two headers, and none of the libraries that the program is made of.
+set_target_properties(plinian_plugin PROPERTIES EXPORT_NAME plugin)
+install(TARGETS plinian_plugin EXPORT plinian-plugin-targets)
+install(FILES host/sdk/abi.h host/sdk/plugin.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plinian/host/sdk)
 
 foreach(folder core viewport)
   install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plinian FILES_MATCHING PATTERN "*.h")
@@ -15,6 +19,7 @@ install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/plinian)
 install(EXPORT plinian-targets NAMESPACE plinian:: DESTINATION ${package})
+install(EXPORT plinian-plugin-targets NAMESPACE plinian:: DESTINATION ${package})
 configure_package_config_file(tools/cmake/plinian-config.cmake.in ${PROJECT_BINARY_DIR}/plinian-config.cmake
                               INSTALL_DESTINATION ${package})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/plinian-config-version.cmake COMPATIBILITY SameMinorVersion)
