@@ -37,9 +37,20 @@ PluginManager::PluginManager(graph::Session& session, std::vector<fs::path> fold
   }
   folders_.insert(folders_.end(), folders.begin(), folders.end());
   add_commands();
+  session_.on_requires = [this](const std::string& name) {
+    if (libraries_.contains(name)) return;
+    try {
+      // A scene is data: it names plug-ins that are installed, and cannot point at a file.
+      if (name.find('/') != name.npos) throw GraphError("the scene needs a plug-in " + graph::shown(name));
+      load(name);
+    } catch (const GraphError& error) {
+      session_.warn(error.what());  // the scene opens all the same
+    }
+  };
 }
 
 PluginManager::~PluginManager() {
+  session_.on_requires = nullptr;
   while (!libraries_.empty()) unload(libraries_.begin()->first, true);
   for (const char* command : {"loadPlugin", "unloadPlugin", "pluginInfo"})
     session_.commands().remove(command);

@@ -15,8 +15,9 @@ namespace plinian::sdk {
 
 class PluginManager {
  public:
-  /// Adds the commands loadPlugin, unloadPlugin and pluginInfo to the session. folders: to look for plug-ins
-  /// in, after those of $PLINIAN_PLUGIN_PATH; never the current folder.
+  /// Adds the commands loadPlugin, unloadPlugin and pluginInfo to the session, and loads by itself what a
+  /// scene needs when it is opened. folders: to look for plug-ins in, after those of $PLINIAN_PLUGIN_PATH;
+  /// never the current folder.
   PluginManager(graph::Session& session, std::vector<std::filesystem::path> folders);
   ~PluginManager();
   PluginManager(const PluginManager&) = delete;

@@ -83,9 +83,11 @@ void Session::new_scene() {
 
 void Session::open_scene(const std::string& path) {
   SceneReport report;
+  const std::string text = read_text_file(path);
+  for (const std::string& plugin : required_plugins(text, path))
+    if (on_requires) on_requires(plugin);
   {
     const History::Scope scope(history_, "open");
-    const std::string text = read_text_file(path);
     clear_graph(editor_);
     report = read_scene(text, path, types_, editor_);
   }

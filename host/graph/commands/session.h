@@ -35,6 +35,8 @@ class Session {
   /// Hears of every command that ran, as the line that would run it again, and of warnings.
   std::function<void(const std::string&line)> on_echo, on_warning;
   void warn(const std::string& line) const;
+  /// Is told of each plug-in that a scene needs before the scene is opened, and may load it.
+  std::function<void(const std::string& plugin)> on_requires;
 
   /// An empty scene with a time node; the old one cannot be had back.
   void new_scene();

@@ -188,6 +188,13 @@ SceneReport read_scene(std::string_view text, const std::string& name, const Typ
   return SceneReader(name, registry, editor, name_space).read(scene);
 }
 
+std::vector<std::string> required_plugins(std::string_view text, const std::string& name) {
+  std::vector<std::string> plugins;
+  for (const SceneLine& line : read_sections(text, name).requirements)
+    plugins.push_back(split_words(line.text).at(1).text);
+  return plugins;
+}
+
 std::string read_text_file(const std::string& path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) throw GraphError(path + ": is a folder");

@@ -25,6 +25,9 @@ struct SceneReport {
 SceneReport read_scene(std::string_view text, const std::string& name, const TypeRegistry& registry,
                        Editor& editor, const std::string& name_space = "");
 
+/// Names of the plug-ins that a scene says it needs. Throws as read_scene does.
+std::vector<std::string> required_plugins(std::string_view text, const std::string& name);
+
 /// The text of a file. Throws GraphError where it cannot be read or is larger than any scene (1 GiB).
 std::string read_text_file(const std::string& path);
 

@@ -89,6 +89,26 @@ TEST(PluginManager, OlderScenesAreMigratedByIt) {
   EXPECT_EQ(s.run("getAttr w.amount"), "8");
 }
 
+TEST(PluginManager, ASceneBringsTheInstalledPluginsThatItNeedsAndNoOthers) {
+  const TemporaryFolder own;
+  PluginSession s;
+  s.run("loadPlugin wobble\ncreateNode wobble -name w\nsave \"" + own / "a.pln" + "\"");
+  PluginSession other;
+  other.run("open \"" + own / "a.pln" + "\"");
+  EXPECT_EQ(other.run("getAttr w.out"), "2");
+  std::filesystem::copy_file(folder + "/wobble.so", own / "wobble.so");
+  std::ofstream(own / "evil.pln") << "plinian scene 1.0\nrequires " + own / "wobble.so" +
+                                         " 1\nrequires none 1\nend\n";
+  PluginSession third;
+  std::vector<std::string> warnings;
+  third.session.on_warning = [&](const std::string& line) { warnings.push_back(line); };
+  third.run("open \"" + own / "evil.pln" + "\"");
+  EXPECT_TRUE(third.plugins.plugins().empty());
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_EQ(warnings[0], "the scene needs a plug-in '" + own / "wobble.so" + "'");
+  EXPECT_EQ(warnings[1], "there is no plug-in 'none' in " + folder);
+}
+
 TEST(PluginManager, WhatCannotBeUsedIsRefusedAsAWhole) {
   const TemporaryFolder own;
   PluginSession s;
