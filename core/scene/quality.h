@@ -37,17 +37,17 @@ struct MapQuality {
   EndRule end_rule = EndRule::zero;
   float density_weighting = 2.0f;  // [-] >= 1: T^(1/w) is stored [TFM11 eq. 19-20]; 1 turns it off
   int resolution = 512;            // texels along a side of a light's view
-  float detect_step = 1.0f;        // [voxels] of the first march
+  float detect_step = 2.0f;        // [voxels] between density samples in thin matter
   int refine_steps = 64;           // samples of the second march
 };
 
 struct ViewQuality {
-  int shade_samples = 8;                // light lookups along an opaque view ray, placed at equal opacity
-  float step = 1.0f;                    // [voxels] between density samples
-  float transmittance_cutoff = 0.002f;  // [-] a ray ends where nothing more than this could be seen
-  int passes = 32;                      // jittered passes of a picture at most
-  float rest_change = 2.0f;          // [8-bit steps] >= 0: a picture with no more change to come is at rest
-  bool exact_light_at_rest = false;  // further passes at rest replace map lookups by the light march
+  int shade_samples = 8;               // light lookups along an opaque view ray, placed at equal opacity
+  float step = 2.0f;                   // [voxels] between density samples in thin matter
+  float transmittance_cutoff = 0.01f;  // [-] a ray ends where nothing more than this could be seen
+  int passes = 32;                     // jittered passes of a picture at most
+  float rest_change = 2.0f;            // [8-bit steps] >= 0: a picture with no more change to come is at rest
+  bool exact_light_at_rest = false;    // further passes at rest replace map lookups by the light march
   LightLookup light = LightLookup::map;
   float march_step = 1.0f;   // [voxels] of a marched light ray
   float march_depth = 5.0f;  // [-] optical depth at which a marched light ray ends

@@ -58,6 +58,7 @@ PLN_FN LightBounds detect_bounds(PLN_SCENE, vec3 origin, vec3 direction, int gro
   while (alive) {
     alive = walk.t_b < walk.t_end;
     if (alive) {
+      walk.steep = steep_segment * min(exp(tau), 10.0f);
       walk_advance(scene, walk);
       float sigma_a = 0.0f;  // [1/world] of the group's reference channel
       float sigma_b = 0.0f;
@@ -113,16 +114,18 @@ PLN_FN uint encode_texel(PLN_SCENE, vec3 origin, vec3 direction, int group, floa
   float k_min = bounds_k_min(bounds_bits, depth);
   float k_max = bounds_k_max(bounds_bits, depth);
   float range = k_max - k_min;
-  float tau = 0.0f;
+  float tau = found.tau_min;
   float previous_x = 0.0f;
-  float previous_t = 1.0f;  // T^(1/w) at previous_x
+  float previous_t =
+      exp(-tau * controls.inverse_weighting);  // T^(1/w) at previous_x and up to the next piece
   bool alive = true;
-  Walk walk = walk_begin(scene, origin, direction, 0.0f, controls.step, 0.0f, group);
+  Walk walk = walk_begin(scene, origin, direction, k_min, controls.step, 0.0f, group);
   float fine = range / float(controls.refine_steps);
   float area = 0.0f;
   while (alive) {
     alive = walk.t_b < min(walk.t_end, k_max);
     if (alive) {
+      walk.steep = steep_segment * min(exp(tau), 10.0f);
       walk_advance(scene, walk);
       float sigma_a = 0.0f;  // [1/world] of the group's reference channel
       float sigma_b = 0.0f;
@@ -142,11 +145,10 @@ PLN_FN uint encode_texel(PLN_SCENE, vec3 origin, vec3 direction, int group, floa
         float end = mix(from, to, float(i + 1) / float(pieces));
         float x_a = clamp((walk.t + begin - k_min) / range, 0.0f, 1.0f);
         float x_b = clamp((walk.t + end - k_min) / range, 0.0f, 1.0f);
-        float t_a = exp(-(tau + begin * (sigma_a + 0.5f * slope * begin)) * controls.inverse_weighting);
         float t_b = exp(-(tau + end * (sigma_a + 0.5f * slope * end)) * controls.inverse_weighting);
         // What lies between the last piece and this one is empty: constant T.
-        area += previous_t * (x_a - previous_x) + 0.5f * (t_a + t_b) * (x_b - x_a);
-        float gradient = x_b > x_a ? (t_b - t_a) / (x_b - x_a) : 0.0f;
+        area += previous_t * (x_a - previous_x) + 0.5f * (previous_t + t_b) * (x_b - x_a);
+        float gradient = x_b > x_a ? (t_b - previous_t) / (x_b - x_a) : 0.0f;
         float a1 = cos_pi(x_a);
         float b1 = cos_pi(x_b);
         float a0 = 1.0f;
@@ -154,7 +156,7 @@ PLN_FN uint encode_texel(PLN_SCENE, vec3 origin, vec3 direction, int group, floa
         float a = a1;
         float b = b1;
         for (int j = 1; j < controls.coefficients; ++j) {
-          c[j] += gradient * (b - a) / float(j * j);
+          c[j] += gradient * (b - a);
           float a2 = 2.0f * a1 * a - a0;
           float b2 = 2.0f * b1 * b - b0;
           a0 = a;
@@ -170,7 +172,7 @@ PLN_FN uint encode_texel(PLN_SCENE, vec3 origin, vec3 direction, int group, floa
   }
   area += previous_t * (1.0f - previous_x);
   c[0] = area;
-  for (int j = 1; j < controls.coefficients; ++j) c[j] *= 2.0f / (pi * pi);
+  for (int j = 1; j < controls.coefficients; ++j) c[j] *= 2.0f / (pi * pi * float(j * j));
   return bounds_bits;
 }
 

@@ -37,9 +37,9 @@ PLN_FN float pixel_hash(ivec2 pixel) {
   return float(x >> 8) * (1.0f / 16777216.0f);
 }
 
-/// Controls of pass number `pass` at a pixel. The first pass shades where half of a quantum's opacity is gained,
-/// without noise; later ones take their places from Roberts' R2 sequence, shifted per pixel, so that the mean converges to the
-/// integral.
+/// Controls of pass number `pass` at a pixel. The first pass shades where half of a quantum's opacity is
+/// gained, without noise; later ones take their places from Roberts' R2 sequence, shifted per pixel, so that
+/// the mean converges to the integral.
 PLN_FN ViewControls view_controls(ivec2 pixel, int pass, float quantum, float step, float cutoff) {
   float shift = pixel_hash(pixel);
   float first = fract(shift + float(pass) * 0.7548776662f);
@@ -105,6 +105,7 @@ PLN_FN float march_light(PLN_SCENE, int l, int g, vec3 p) {
   float end = min(walk.t_end, reach);
   float tau = 0.0f;
   while (walk.t_b < end && tau < LIGHT_MARCH_DEPTH) {
+    walk.steep = steep_segment * min(exp(tau), 10.0f);
     walk_advance(scene, walk);
     float length_inside = min(walk.t_b, end) - min(walk.t, end);
     FOR_MEDIA tau += 0.5f * (walk.a[m] + walk.b[m]) * length_inside * MEDIUM(m).sigma_group;
@@ -183,6 +184,8 @@ PLN_FN ViewResult march_view(PLN_SCENE, vec3 origin, vec3 direction, float t_nea
   float seen_mean = 1.0f;
   bool alive = walk.t_end > walk.t;
   while (alive) {
+    // What little is seen of what lies deeper may be sampled more coarsely.
+    walk.steep = steep_segment / max(seen_mean, 0.1f);
     // The quantum: equal shares of opacity, but the last would reach to infinite depth, so towards the end
     // they shrink with what is left. One always ends where alpha passes 0.5: that is the depth.
     float target = max(seen_mean - controls.quantum, 0.25f * seen_mean);
@@ -256,14 +259,18 @@ PLN_FN ViewResult march_view(PLN_SCENE, vec3 origin, vec3 direction, float t_nea
 
     Spectrum spectral_tau = Spectrum(0.0f);
     FOR_MEDIA spectral_tau += column[m] * spectrum_of(MEDIUM(m).sigma_t);
-    Spectrum mean_seen = seen * mean_transmittance(spectral_tau);
+    Spectrum left = seen * exp(-spectral_tau);
+    // A ray that ends early scatters what it leaves out, too, as if this quantum went on.
+    bool ends = full && spectrum_mean(left) < controls.cutoff;
+    Spectrum mean_seen =
+        ends ? seen / max(spectral_tau, Spectrum(1e-6f)) : seen * mean_transmittance(spectral_tau);
     Spectrum gathered[MEDIA_CAPACITY];
     float matter = 0.0f;
     FOR_MEDIA {
       gathered[m] = mean_seen * column[m];
       matter += column[m];
     }
-    seen = seen * exp(-spectral_tau);
+    seen = ends ? Spectrum(0.0f) : left;
     seen_mean = spectrum_mean(seen);
     // With some slack: rounding must not leave a quantum of nothing before the depth.
     if (full && seen_mean <= 0.50005f && result.depth > 1e29f) result.depth = walk.t;
@@ -274,10 +281,7 @@ PLN_FN ViewResult march_view(PLN_SCENE, vec3 origin, vec3 direction, float t_nea
       shade(scene, walk, gathered, origin, direction, shading_t, result);
       shades = false;
     }
-    if (seen_mean < controls.cutoff) {
-      alive = false;
-      seen = Spectrum(0.0f);
-    }
+    alive = alive && !ends;
   }
   result.transmittance = spectrum_rgb(seen);
   return result;

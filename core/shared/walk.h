@@ -2,9 +2,9 @@
 //
 // A walk yields segments [t, t_b] on which every medium's density is taken as linear between its values at
 // the two ends. Biased: inside a voxel the true density along a ray is a cubic; the error falls with the
-// square of the step. Two kinds of place would fall with the step itself, and make a first picture some 5% too
-// bright: edges, where density begins inside a segment (see density_onset), and what is opaque within a voxel
-// (see walk_advance). Values of density are relative ("stored"): MediumData::sigma_t is what a stored 1
+// square of the step. Two kinds of place would fall with the step itself, and make a first picture some 5%
+// too bright: edges, where density begins inside a segment (see density_onset), and what is opaque within a
+// voxel (see walk_advance). Values of density are relative ("stored"): MediumData::sigma_t is what a stored 1
 // means.
 #ifndef PLINIAN_SHARED_WALK_H
 #define PLINIAN_SHARED_WALK_H
@@ -36,6 +36,7 @@ struct Walk {
   float t_end;     // the last medium is left here
   float spacing;   // [world] of the sampling points
   float shortest;  // [world] segments are not cut shorter
+  float steep;     // [-] segments of more optical depth are; a march may raise it as its end draws near
   float comb;      // [t] the sampling point at or before t_b
 };
 
@@ -184,6 +185,7 @@ PLN_FN Walk walk_begin(PLN_SCENE, vec3 origin, vec3 direction, float t_near, flo
   // Far from the camera a step must not drown in rounding: the slack of walk_advance stands well above it.
   walk.spacing = max(step * per_step, 2e-5f * walk.t_end);
   walk.shortest = shortest_segment * per_step;
+  walk.steep = steep_segment;
   walk.t_b = walk.t;
   walk.comb = walk.t - lead * per_step;
   return walk;
@@ -211,8 +213,8 @@ PLN_FN void walk_segment_end(PLN_SCENE, PLN_INOUT(Walk) walk) {
   }
 }
 
-/// Where density begins that is zero at t and is not at t_b, about a voxel on [t]. It begins at a plane of the
-/// voxel grid; the ray may cross several on the way, and the last one is right on average.
+/// Where density begins that is zero at t and is not at t_b, about a voxel on [t]. It begins at a plane of
+/// the voxel grid; the ray may cross several on the way, and the last one is right on average.
 PLN_FN float density_onset(LocalRay ray, float t, float t_b) {
   vec3 ahead = vec3(greaterThan(ray.direction, vec3(0.0f)));
   vec3 p = ray.origin + t_b * ray.direction;
@@ -240,9 +242,9 @@ PLN_FN void walk_advance(PLN_SCENE, PLN_INOUT(Walk) walk) {
   }
   walk.comb += walk.t > walk.comb + 0.98f * walk.spacing ? walk.spacing : 0.0f;
   // Inside dense matter a segment is short from the start.
-  walk.t_b = min(min(walk.comb + walk.spacing,
-                     walk.t + max(1.5f * steep_segment / max(sigma, 1e-20f), walk.shortest)),
-                 walk.t_end);
+  walk.t_b =
+      min(min(walk.comb + walk.spacing, walk.t + max(1.5f * walk.steep / max(sigma, 1e-20f), walk.shortest)),
+          walk.t_end);
   if (ANALYTIC_MEDIA || SEVERAL_MEDIA) {
     // A segment ends where a medium begins or ends.
     FOR_MEDIA {
@@ -258,14 +260,14 @@ PLN_FN void walk_advance(PLN_SCENE, PLN_INOUT(Walk) walk) {
     empty_before = empty_before && walk.a[m] == 0.0f;
   }
   float dt = walk.t_b - walk.t;
-  bool steep = (sigma + sigma_b) * dt > 2.0f * steep_segment && dt > walk.shortest;
+  bool steep = (sigma + sigma_b) * dt > 2.0f * walk.steep && dt > walk.shortest;
   while (steep) {
     dt *= 0.5f;
     walk.t_b = walk.t + dt;
     walk_segment_end(scene, walk);
     sigma_b = 0.0f;
     FOR_MEDIA sigma_b += walk.b[m] * MEDIUM(m).sigma_group;
-    steep = (sigma + sigma_b) * dt > 2.0f * steep_segment && dt > walk.shortest;
+    steep = (sigma + sigma_b) * dt > 2.0f * walk.steep && dt > walk.shortest;
   }
   bool begins = empty_before && sigma_b > 0.0f;
   while (begins) {
