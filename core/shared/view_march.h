@@ -19,6 +19,7 @@ struct ViewControls {
   float step;     // [voxels] between density samples
   float lead;     // [voxels] in [0, step): jitter of the density samples
   float place;    // [-] in (0, 1): share of a quantum's opacity in front of its lookup
+  float deep;     // [-] >= 1: how much coarser density is sampled where little of it is seen
   float cutoff;   // [-] transmittance at which the ray ends
 };
 
@@ -47,10 +48,11 @@ PLN_FN ViewControls view_controls(ivec2 pixel, int pass, float quantum, float st
   ViewControls controls;
   // Further passes are finer, as what they add has to be finer.
   controls.quantum = pass == 0 ? quantum : 0.25f * quantum;
-  controls.step = pass == 0 ? step : pass < 4 ? 0.5f * step : 0.25f * step;
+  controls.step = pass == 0 ? step : 0.125f * step;
+  controls.deep = pass == 0 ? 10.0f : 1.0f;
   controls.lead = pass == 0 ? 0.0f : controls.step * first;
   controls.place = pass == 0 ? 0.5f : second;
-  controls.cutoff = cutoff;
+  controls.cutoff = pass == 0 ? cutoff : 0.1f * cutoff;
   return controls;
 }
 
@@ -184,8 +186,7 @@ PLN_FN ViewResult march_view(PLN_SCENE, vec3 origin, vec3 direction, float t_nea
   float seen_mean = 1.0f;
   bool alive = walk.t_end > walk.t;
   while (alive) {
-    // What little is seen of what lies deeper may be sampled more coarsely.
-    walk.steep = steep_segment / max(seen_mean, 0.1f);
+    walk.steep = steep_segment * min(1.0f / seen_mean, controls.deep);
     // The quantum: equal shares of opacity, but the last would reach to infinite depth, so towards the end
     // they shrink with what is left. One always ends where alpha passes 0.5: that is the depth.
     float target = max(seen_mean - controls.quantum, 0.25f * seen_mean);

@@ -1,4 +1,5 @@
 // Refinement at rest: to the maps' own limit, without a pop on the way.
+#include "core/integrate/map_renderer.h"
 #include "tests/viewport/scenes.h"
 #include "viewport/gl_renderer.h"
 
@@ -11,15 +12,15 @@ double mean_radiance(const Frame& frame) {
   return sum / (3.0 * double(frame.beauty.size()));
 }
 
-/// The limit: so many samples through the same maps that more change nothing.
+/// The limit: so many samples through the same maps that more change nothing. On the CPU: llvmpipe ends loops
+/// early, without a word, where there are that many.
 Frame limit_of(SceneSnapshot scene) {
-  scene.quality.view.shade_samples = 1024;
-  scene.quality.view.step = 0.0625f;
+  scene.quality.view.shade_samples = 512;
+  scene.quality.view.step = 0.125f;
   scene.quality.view.transmittance_cutoff = 1e-4f;
-  return make_gl_renderer()->render(scene, 1);
+  return make_map_renderer()->render(scene, 1);
 }
 
-// Known gap: ash rests at 54.5 dB of the limit, and its mean falls by 3% on the way from the first pass.
 void expect_convergence(const SceneSnapshot& scene) {
   const Frame limit = limit_of(scene);
   const auto renderer = make_gl_renderer();
@@ -36,13 +37,13 @@ void expect_convergence(const SceneSnapshot& scene) {
 }
 
 TEST(Convergence, AshRestsAtTheLimitOfItsMaps) {
-  expect_convergence(ash_scene(128, 128));
+  expect_convergence(ash_scene(128, 96));
 }
 
 TEST(Convergence, SmokeRestsAtTheLimitOfItsMaps) {
   SKIP_WITHOUT_SHARED_FILES();
-  expect_convergence(shared_scene("smoke-dense.json", 128));
-  expect_convergence(shared_scene("smoke-thin.json", 128));
+  expect_convergence(shared_scene("smoke-dense.json", 96));
+  expect_convergence(shared_scene("smoke-thin.json", 96));
 }
 
 }  // namespace

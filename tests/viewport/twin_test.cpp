@@ -6,8 +6,6 @@
 namespace plinian::test {
 namespace {
 
-// Known gap: single pixels at steep edges differ (44 of 9,216 by more than 5e-3 on ash, 52 to 59 dB), and the
-// scene of two analytic media differs at large. The tests stand as they must pass one day.
 void expect_twins(const SceneSnapshot& scene, int passes = 1) {
   const Frame gl = make_gl_renderer()->render(scene, passes);
   const Frame cpu = make_map_renderer()->render(scene, passes);
