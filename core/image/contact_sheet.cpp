@@ -1,24 +1,14 @@
 #include "core/image/contact_sheet.h"
 
-#include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagebufalgo.h>
-
 #include <algorithm>
+
+#include "core/image/image_files.h"
 
 namespace plinian {
 namespace {
 
 constexpr int font_size = 17;        // [pixels]
 constexpr std::uint8_t ground = 43;  // [display] the neutral grey of the comparison report
-
-// A font that is there, or "": the first of those that common systems bring.
-std::string find_font() {
-  for (const char* font :
-       {"DejaVuSans", "NotoSans-Regular", "LiberationSans-Regular", "FreeSans", "DroidSans", "Arial"})
-    if (OIIO::ImageBufAlgo::text_size("x", font_size, font).defined()) return font;
-  OIIO::geterror();  // clears what the search left behind
-  return "";
-}
 
 // OpenImageIO 2.4 draws every byte of a UTF-8 character as a letter of its own.
 std::string ascii(const std::string& text) {
@@ -49,7 +39,7 @@ SheetPicture contact_sheet(const std::vector<SheetPicture>& pictures, int column
     cell_height = std::max(cell_height, picture.height);
     labelled = labelled || !picture.label.empty();
   }
-  const std::string font = labelled ? find_font() : "";
+  const std::string font = labelled ? image_files().find_font(font_size) : "";
   const int label_height = font.empty() ? 0 : 2 * font_size;
   columns = std::min(columns, int(pictures.size()));
   const int rows = (int(pictures.size()) + columns - 1) / columns;
@@ -58,7 +48,7 @@ SheetPicture contact_sheet(const std::vector<SheetPicture>& pictures, int column
   sheet.width = gap + columns * (cell_width + gap);
   sheet.height = gap + rows * (cell_height + label_height + gap);
   sheet.rgb.assign(3 * std::size_t(sheet.width) * std::size_t(sheet.height), ground);
-  OIIO::ImageBuf canvas(OIIO::ImageSpec(sheet.width, sheet.height, 3, OIIO::TypeUInt8), sheet.rgb.data());
+  std::vector<Label> labels;
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     const SheetPicture& picture = pictures[i];
     const int left = gap + int(i) % columns * (cell_width + gap);
@@ -67,9 +57,10 @@ SheetPicture contact_sheet(const std::vector<SheetPicture>& pictures, int column
       std::copy_n(picture.rgb.begin() + std::ptrdiff_t(y) * picture.width * 3, picture.width * 3,
                   sheet.rgb.begin() + (std::ptrdiff_t(top + y) * sheet.width + left) * 3);
     if (!font.empty() && !picture.label.empty())
-      OIIO::ImageBufAlgo::render_text(canvas, left, top + cell_height + font_size + font_size / 3,
-                                      ascii(picture.label), font_size, font, {0.87f, 0.87f, 0.87f});
+      labels.push_back({left, top + cell_height + font_size + font_size / 3, ascii(picture.label)});
   }
+  if (!labels.empty())
+    image_files().draw_labels(sheet.rgb, sheet.width, sheet.height, labels, font, font_size, 0.87f);
   return sheet;
 }
 

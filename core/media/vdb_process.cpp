@@ -1,7 +1,6 @@
 // The parent's side of the .vdb worker: finding, starting, feeding, listening, stopping. See vdb_process.h.
 #include "core/media/vdb_process.h"
 
-#include <dlfcn.h>
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
@@ -13,11 +12,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
-#include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <thread>
 #include <utility>
+
+#include "core/files/companion.h"
 
 extern char** environ;
 
@@ -286,25 +285,7 @@ WorkerEnd run_worker(const WorkerJob& job) {
 }
 
 std::string worker_path() {
-  namespace fs = std::filesystem;
-  if (const char* given = std::getenv("PLINIAN_VDB_WORKER"); given && *given) return given;
-  const fs::path relative = fs::path("libexec") / "plinian" / "plinian-vdb-worker";
-  std::error_code ignored;
-  std::vector<fs::path> starts;
-  Dl_info library;
-  if (::dladdr(reinterpret_cast<void*>(&worker_path), &library) != 0 && library.dli_fname)
-    starts.push_back(fs::canonical(library.dli_fname, ignored));
-  starts.push_back(fs::read_symlink("/proc/self/exe", ignored));
-  for (fs::path folder : starts)
-    // Deep enough for lib/python3.x/site-packages/plinian and for a test in a build tree.
-    for (int level = 0; level < 6 && folder.has_relative_path(); ++level) {
-      folder = folder.parent_path();
-      if (::access((folder / relative).c_str(), X_OK) == 0) return (folder / relative).string();
-    }
-  if (::access(PLINIAN_INSTALLED_VDB_WORKER, X_OK) == 0) return PLINIAN_INSTALLED_VDB_WORKER;
-  throw std::runtime_error(
-      "the .vdb reader, plinian-vdb-worker, was not found beside the program; set PLINIAN_VDB_WORKER to its "
-      "path");
+  return companion_path({"plinian-vdb-worker", "PLINIAN_VDB_WORKER", "the .vdb reader"});
 }
 
 }  // namespace plinian::vdb

@@ -42,9 +42,8 @@ struct WorkerEnd {
 /// Throws std::runtime_error where the worker cannot be found or started, or breaks the protocol.
 WorkerEnd run_worker(const WorkerJob& job);
 
-/// The worker program: $PLINIAN_VDB_WORKER; else libexec/plinian/plinian-vdb-worker in a folder above this
-/// library or above the running program (so a build tree, an installed tree or a moved one); else where it
-/// was to be installed. Throws std::runtime_error.
+/// The worker program, plinian-vdb-worker or what $PLINIAN_VDB_WORKER names: see companion_path. Throws
+/// std::runtime_error.
 std::string worker_path();
 
 }  // namespace plinian::vdb

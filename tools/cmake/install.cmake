@@ -24,5 +24,5 @@ configure_package_config_file(tools/cmake/plinian-config.cmake.in ${PROJECT_BINA
                               INSTALL_DESTINATION ${package})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/plinian-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/plinian-config.cmake ${PROJECT_BINARY_DIR}/plinian-config-version.cmake
-              tools/cmake/FindOpenImageIO.cmake tools/cmake/FindOpenColorIO.cmake
+              tools/cmake/FindOpenColorIO.cmake
         DESTINATION ${package})
