@@ -112,6 +112,16 @@ TEST(Structure, HeavyHeadersDoNotLeaveTheFolderThatNeedsThem) {
   }
 }
 
+// It brings some 250 libraries, so it is a module's alone, which is loaded when it is needed.
+TEST(Structure, OpenImageIOIsSeenByItsModuleAlone) {
+  const std::regex include(R"re(#\s*include\s*<OpenImageIO/)re");
+  std::vector<std::string> found;
+  for (const char* folder : {"core", "viewport", "host"})
+    for (const std::string& path : files_under(folder, {".h", ".cpp"}))
+      if (std::regex_search(text_of(root / path), include)) found.push_back(path);
+  EXPECT_EQ(found, std::vector<std::string>{"core/image/image_files_module.cpp"});
+}
+
 TEST(Structure, EverySourceIsListedInTheCMakeListsOfItsFolder) {
   for (const char* folder : {"core", "viewport", "host", "tests"})
     for (const std::string& path : files_under(folder, {".cpp"})) {

@@ -1,7 +1,9 @@
 #include "core/image/image_files.h"
 
 #include <dlfcn.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <cstring>
 
 #include "core/files/companion.h"
@@ -9,11 +11,12 @@
 namespace plinian {
 namespace {
 
+ImageError fail(const std::string& reason) {
+  return ImageError("picture files cannot be used: " + reason);
+}
+
 const ImageFiles& load() {
   const std::string path = image_files_path();
-  const auto fail = [&](const std::string& reason) {
-    return ImageError("picture files can neither be read nor written: " + reason);
-  };
   // Local: nobody else's symbols are to be resolved by the hundreds of libraries that come with it.
   void* const module = ::dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
   if (!module) {
@@ -30,10 +33,15 @@ const ImageFiles& load() {
 
 }  // namespace
 
-std::string image_files_path() try {
-  return companion_path({"plinian-image-files.so", "PLINIAN_IMAGE_FILES", "the picture file module"});
-} catch (const std::runtime_error& error) {
-  throw ImageError(error.what());
+std::string image_files_path() {
+  std::string path;
+  try {
+    path = companion_path({"plinian-image-files.so", "PLINIAN_IMAGE_FILES", "their module"});
+  } catch (const std::runtime_error& error) {
+    throw fail(error.what());
+  }
+  if (::access(path.c_str(), R_OK) != 0) throw fail(path + ": " + std::strerror(errno));
+  return path;
 }
 
 const ImageFiles& image_files() {

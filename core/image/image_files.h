@@ -1,6 +1,6 @@
 // What needs OpenImageIO, as a table of functions in a module of its own, plinian-image-files.so: OpenImageIO
 // brings some 250 libraries, which cost a third of a second and 120 MiB, so it is loaded when a picture file
-// is first read or written, and not when the program starts. Everybody else uses image_io.h and
+// is first read or an EXR first written, and not when the program starts. Everybody else uses image_io.h and
 // contact_sheet.h; this header is between them and the module.
 #pragma once
 
@@ -39,9 +39,6 @@ struct ImageFiles {
   const char* version;  // of Plinian and of this table; a module of a different one is not used
 
   std::vector<std::uint8_t> (*encode_exr)(const Image& image, const WriteOptions& options);
-  /// rgb: width * height * 3 bytes, top row first.
-  std::vector<std::uint8_t> (*encode_rgb_png)(const std::vector<std::uint8_t>& rgb, int width, int height,
-                                              const std::map<std::string, Attribute>& metadata);
   PictureFile (*read)(const std::string& path);
   /// A font that is there, or "". size: [pixels].
   std::string (*find_font)(int size);
@@ -50,7 +47,8 @@ struct ImageFiles {
                       const std::string& font, int size, float grey);
 };
 
-/// Where the module is, without loading it. Throws ImageError where it is missing.
+/// Where the module is, without loading it. Throws ImageError where it is missing or cannot
+/// be read.
 std::string image_files_path();
 
 /// The module's table; loads it the first time. It stays loaded. Throws ImageError where it is missing,

@@ -112,14 +112,6 @@ std::vector<std::uint8_t> encode_exr(const Image& image, const WriteOptions& opt
   return encode("exr", spec, OIIO::TypeFloat, interleaved.data());
 }
 
-std::vector<std::uint8_t> encode_rgb_png(const std::vector<std::uint8_t>& rgb, int width, int height,
-                                         const Metadata& metadata) {
-  OIIO::ImageSpec spec(width, height, 3, OIIO::TypeUInt8);
-  set_metadata(spec, metadata);
-  spec.attribute("oiio:ColorSpace", "sRGB");
-  return encode("png", spec, OIIO::TypeUInt8, rgb.data());
-}
-
 PictureFile read(const std::string& path) {
   OIIO::ImageSpec wishes;
   wishes["oiio:UnassociatedAlpha"] = 1;  // alpha is multiplied in after linearisation, by us
@@ -176,6 +168,6 @@ void draw_labels(std::vector<std::uint8_t>& rgb, int width, int height, const st
 }  // namespace
 }  // namespace plinian
 
-extern "C" __attribute__((visibility("default"))) const plinian::ImageFiles plinian_image_files = {
-    PLINIAN_IMAGE_FILES_VERSION, plinian::encode_exr, plinian::encode_rgb_png, plinian::read,
-    plinian::find_font,          plinian::draw_labels};
+extern "C" __attribute__((visibility("default")))
+const plinian::ImageFiles plinian_image_files = {PLINIAN_IMAGE_FILES_VERSION, plinian::encode_exr,
+                                                 plinian::read, plinian::find_font, plinian::draw_labels};

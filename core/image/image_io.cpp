@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/image/image_files.h"
+#include "core/image/png_encoder.h"
 #include "core/shared/view_curve.h"
 
 namespace plinian {
@@ -63,7 +64,7 @@ void check_output(const std::string& path, const WriteOptions& options) {
   check_extension(path);
   if (lower_extension(path) == ".png") ViewTransform{options.view};
   check_writable(path);
-  image_files_path();
+  if (lower_extension(path) == ".exr") image_files_path();
 }
 
 void write_image(const std::string& path, const Image& image, const WriteOptions& options) {
@@ -79,17 +80,15 @@ void write_image(const std::string& path, const Image& image, const WriteOptions
 }
 
 std::vector<std::uint8_t> encode_png(const Image& image, const ViewTransform& view, bool dither) {
-  std::map<std::string, Attribute> metadata = image.metadata;
-  metadata["plinian:view"] = view.description();
-  return image_files().encode_rgb_png(to_display_bytes(image, view, dither), image.width, image.height,
-                                      metadata);
+  std::map<std::string, std::string> text;
+  for (const auto& [key, value] : image.metadata)
+    if (const std::string* words = std::get_if<std::string>(&value)) text[key] = *words;
+  text["plinian:view"] = view.description();
+  return png_of(to_display_bytes(image, view, dither), image.width, image.height, text);
 }
 
 std::vector<std::uint8_t> encode_png(const std::vector<std::uint8_t>& rgb, int width, int height) {
-  if (rgb.size() != 3 * std::size_t(width) * std::size_t(height))
-    throw ImageError("picture: " + std::to_string(rgb.size()) + " bytes do not make " +
-                     std::to_string(width) + "x" + std::to_string(height) + " pixels");
-  return image_files().encode_rgb_png(rgb, width, height, {});
+  return png_of(rgb, width, height, {});
 }
 
 Image read_image(const std::string& path) {

@@ -20,6 +20,23 @@ TEST_F(Program, RendersOnGl) {
   EXPECT_GT(mean_of(picture("a.exr"), "A"), 0.1);
 }
 
+// Three times the volume, and 200 MiB for the program with its libraries and the picture.
+TEST_F(Program, MemoryOfAPictureStaysWithinThreeTimesItsVolumeAnd200MiB) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer takes more memory than the program";
+#endif
+  const Ended ended = run({"render", "ash", "--resolution", "128", "--size", "512x512", "--passes", "1",
+                           "--renderer", "gl", "-o", "a.png", "--json"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const double mib = 1024.0 * 1024.0;
+  const double volume = json::parse(ended.out).at("volume_bytes").get<double>() / mib;
+  const double peak = double(ended.peak_memory) / 1024.0;
+  EXPECT_GT(volume, 1.0);
+  EXPECT_GT(peak, 20.0);
+  EXPECT_LE(peak, 3.0 * volume + 200.0);
+  std::printf("peak %.0f MiB, volume %.2f MiB\n", peak, volume);
+}
+
 TEST_F(Program, CtrlCEndsAPictureOnGlAfterItsPassAndWritesIt) {
   RunOptions options;
   options.signal_after_text = "camera: placed";

@@ -8,9 +8,10 @@
 namespace plinian {
 
 struct Ended {
-  int code = -1;    // exit code; 128 + signal where one ended it
-  std::string out;  // standard output
-  std::string err;  // standard error
+  int code = -1;         // exit code; 128 + signal where one ended it
+  std::string out;       // standard output
+  std::string err;       // standard error
+  long peak_memory = 0;  // [KiB] resident, at least what the test itself holds when it starts the program
 
   /// Lines of standard error.
   int error_lines() const;

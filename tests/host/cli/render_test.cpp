@@ -266,5 +266,39 @@ TEST_F(Program, CtrlCEndsARenderWithNothingWritten) {
   EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 30.0);
 }
 
+// The names of the libraries that a call loads, as the dynamic linker tells them.
+std::string libraries_of(const Ended& ended) {
+  EXPECT_EQ(ended.code, 0) << ended.out;
+  EXPECT_NE(ended.err.find("libtbb"), std::string::npos) << "the linker does not tell what it loads";
+  return ended.err;
+}
+
+TEST_F(Program, OpenImageIOIsLoadedWhenAPictureIsReadAndNeitherAtTheStartNorToWriteAPng) {
+  const RunOptions tell{.environment = {{"LD_DEBUG", "files"}}};
+  EXPECT_EQ(libraries_of(run({"--version"}, tell)).find("libOpenImageIO"), std::string::npos);
+  const std::vector<std::string> small = {"render", "ash",   "--resolution", "16", "--renderer", "cpu",
+                                          "--size", "16x16", "--passes",     "1",  "-o",         "a.png"};
+  EXPECT_EQ(libraries_of(run(small, tell)).find("libOpenImageIO"), std::string::npos);
+  EXPECT_NE(libraries_of(run({"info", "a.png"}, tell)).find("libOpenImageIO"), std::string::npos);
+}
+
+TEST_F(Program, AMissingOrForeignPictureModuleIsOneLine) {
+  render({"ash", "--resolution", "16", "-o", "a.png"});
+  for (const auto& [module, reason] :
+       {std::pair("/nowhere/module.so", "/nowhere/module.so: No such file"), std::pair("a.png", "a.png: "),
+        std::pair(PLINIAN_OTHER_MODULE, "is not a module of Plinian")}) {
+    const Ended ended = run({"info", "a.png"}, {.environment = {{"PLINIAN_IMAGE_FILES", module}}});
+    EXPECT_EQ(ended.code, 1);
+    EXPECT_EQ(ended.error_lines(), 1) << ended.err;
+    EXPECT_NE(ended.err.find("picture files cannot be used: "), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find(reason), std::string::npos) << ended.err;
+  }
+  // Known before anything is rendered.
+  const Ended ended =
+      run({"render", "ash", "-o", "a.exr"}, {.environment = {{"PLINIAN_IMAGE_FILES", "/nowhere/module.so"}}});
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_EQ(ended.error_lines(), 1) << ended.err;
+}
+
 }  // namespace
 }  // namespace plinian
