@@ -139,8 +139,12 @@ Medium read_file(const MediumDescription& d, const SceneLoadOptions& options, Lo
   if (d.up_axis) orientation.up_axis = *d.up_axis == UpAxis::z ? 'z' : 'y';
   if (d.file_unit) orientation.file_unit = *d.file_unit;
   medium.world_from_medium = orientation.world_from_medium();
-  if (d.guess_orientation && !(d.up_axis && d.file_unit))
+  if (d.guess_orientation && !d.up_axis && !d.file_unit)
     told.notes.push_back(fmt::format("{}: {} (--up-axis, --file-unit)", name, file.facts.orientation.reason));
+  else if (d.guess_orientation && !(d.up_axis && d.file_unit))
+    told.notes.push_back(fmt::format("{}: {} is up and a unit is {:.6g} m; the file's own guess: {}", name,
+                                     orientation.up_axis, orientation.file_unit,
+                                     file.facts.orientation.reason));
   if (!file.facts.temperature.empty()) {
     medium.emission.scale = 1.0f;
     if (!d.emission_scale)

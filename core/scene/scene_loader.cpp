@@ -102,7 +102,8 @@ Light make_light(const SceneDescription& scene, const LightDescription& d, const
   if (d.penumbra) light.penumbra = *d.penumbra;
   if (d.exposure) {
     light.exposure = *d.exposure;
-  } else if (d.role == LightRole::placed && !d.intensity && !d.irradiance) {
+  } else if ((d.role == LightRole::placed || d.type != LightType::directional) && !d.intensity &&
+             !d.irradiance) {
     light.exposure = new_light_exposure(light, bounds);
     told.notes.push_back(
         fmt::format("{}: exposure {:.2f}, which lights the middle of the media as the default key would",

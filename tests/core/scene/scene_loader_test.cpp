@@ -174,5 +174,18 @@ TEST(SceneLoader, AnEmptyVolumeIsASaneSceneAndAWarning) {
   EXPECT_TRUE(std::isfinite(loaded.snapshot.camera.world_from_camera[3].z));
 }
 
+TEST(SceneLoader, TurnsTheDefaultKeyIntoALampThatLightsAsMuch) {
+  SceneDescription description = describe_input("box");
+  set_scene_value(description, "key.type", "spot");
+  set_scene_value(description, "key.position", "0,30,40");
+  const LoadedScene loaded = load_scene(description);
+  const Light& lamp = loaded.snapshot.lights[0];
+  ASSERT_EQ(lamp.name, "key");
+  // 50 m away, by the inverse square.
+  const float arriving = luminance(lamp.colour) * lamp.intensity * std::exp2(lamp.exposure) / 2500.0f;
+  EXPECT_NEAR(arriving, key_intensity * std::exp2(key_exposure), 0.01f * arriving);
+  EXPECT_TRUE(told(loaded.notes, "exposure"));
+}
+
 }  // namespace
 }  // namespace plinian
