@@ -62,6 +62,12 @@ int run_compare(const CompareArguments& arguments) {
     note("report: " + arguments.report);
   }
   for (const std::string& line : result.notes) note(line);
+  // Comparing two scenes may be meant; it must not happen unnoticed.
+  const auto scene_a = a.metadata.find(attribute::scene_hash),
+             scene_b = reference.metadata.find(attribute::scene_hash);
+  if (scene_a != a.metadata.end() && scene_b != reference.metadata.end() &&
+      scene_a->second != scene_b->second)
+    warn(fmt::format("{} and {} are pictures of different scenes", arguments.a, arguments.reference));
   print(arguments.json ? compare_json(result, failures) + "\n" : figures_text(result));
   if (failures.empty()) return exit_success;
   error(fmt::format("{}: {}", arguments.a, join(failures, "; ")));

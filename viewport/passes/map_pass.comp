@@ -14,7 +14,7 @@ layout(location = 1) uniform ivec2 u_first;  // texel of the first invocation
 
 void main() {
   const int scene = 0;
-  ivec2 texel = u_first + ivec2(gl_GlobalInvocationID.xy);
+  ivec2 texel = u_first + spread_group(gl_WorkGroupID.xy) * 16 + ivec2(gl_LocalInvocationID.xy);
   if (texel.x >= MAP_RESOLUTION || texel.y >= MAP_RESOLUTION) return;
   vec2 uv = (vec2(texel) + 0.5) / float(MAP_RESOLUTION);
   EncodeControls controls = EncodeControls(MAP_COEFFICIENTS, u_encode_ints.x, u_encode_ints.y, u_encode_ints.z,

@@ -34,10 +34,9 @@ bool MapPass::build(const SceneBlocks& blocks, const FlatScene& scene, int map, 
     for (int x = 0; x < size; x += tile_size) {
       if (go_on && !go_on()) return false;
       glProgramUniform2i(program.name(), 1, x, y);
-      const auto groups = [&](int from) {
-        return unsigned(std::min(size - from, tile_size) + group_size - 1) / group_size;
-      };
-      glDispatchCompute(groups(x), groups(y), 1);
+      // All rows of groups, as spread_group() in scene_access.glsl asks; those outside the map end at once.
+      const unsigned columns = unsigned(std::min(size - x, tile_size) + group_size - 1) / group_size;
+      glDispatchCompute(columns, tile_size / group_size, 1);
       if (go_on) glFinish();
     }
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);

@@ -5,6 +5,10 @@
 #include "core/shared/blackbody_lookup.h"
 #include "core/shared/scene_data.h"
 
+// Place of a work group in a tile of 16 rows of them. llvmpipe gives each thread a run of groups: rows in the order
+// of their reversed bits give each thread a share of every part of the tile.
+ivec2 spread_group(uvec2 group) { return ivec2(int(group.x), int(bitfieldReverse(group.y) >> 28)); }
+
 layout(std140, binding = 0) uniform MediaBlock { MediumData u_media[max_media]; };
 layout(std140, binding = 1) uniform LightBlock { LightData u_lights[max_lights]; };
 layout(std140, binding = 2) uniform MapBlock { MapData u_maps[max_maps]; };

@@ -30,7 +30,7 @@ void main() {
   // Lanes side by side make a block of 4 x 2 pixels: rays of a SIMD group stay close in both directions.
   int lane = int(gl_LocalInvocationIndex);
   ivec2 inside = ivec2((lane & 3) | ((lane >> 1) & 12), ((lane >> 2) & 1) | ((lane >> 4) & 14));
-  ivec2 pixel = u_first + ivec2(gl_WorkGroupID.xy) * 16 + inside;
+  ivec2 pixel = u_first + spread_group(gl_WorkGroupID.xy) * 16 + inside;
   if (pixel.x >= u_frame.x || pixel.y >= u_frame.y) return;
   vec3 direction = pixel_direction(u_forward.xyz, u_right.xyz, u_up.xyz, pixel, u_frame.xy);
   ViewControls controls = view_controls(pixel, u_frame.z, u_controls.x, u_controls.y, u_controls.z);

@@ -148,6 +148,8 @@ TEST_F(Program, ComparesPicturesAndFailsUnderALimit) {
   render({"sphere", "-o", "b.exr", "--set", "lights.exposure=2"});
   const Ended same = run({"compare", "a.exr", "a.exr", "--fail-under", "psnr=60,ssim=0.99"});
   EXPECT_EQ(same.code, 0) << same.err;
+  EXPECT_EQ(same.err, "");
+  EXPECT_NE(run({"compare", "b.exr", "a.exr"}).err.find("different scenes"), std::string::npos);
   const Ended other = run(
       {"compare", "b.exr", "a.exr", "--fail-under", "psnr=60", "--json", "--quiet", "--report", "r.html"});
   EXPECT_EQ(other.code, 1);
