@@ -58,7 +58,7 @@ PLN_FN LightBounds detect_bounds(PLN_SCENE, vec3 origin, vec3 direction, int gro
   while (alive) {
     alive = walk.t_b < walk.t_end;
     if (alive) {
-      walk.steep = steep_segment * min(exp(tau), 10.0f);
+      walk.steep = steep_at(tau);
       walk_advance(scene, walk);
       float sigma_a = 0.0f;  // [1/world] of the group's reference channel
       float sigma_b = 0.0f;
@@ -116,8 +116,8 @@ PLN_FN uint encode_texel(PLN_SCENE, vec3 origin, vec3 direction, int group, floa
   float range = k_max - k_min;
   float tau = found.tau_min;
   float previous_x = 0.0f;
-  float previous_t =
-      exp(-tau * controls.inverse_weighting);  // T^(1/w) at previous_x and up to the next piece
+  // T^(1/w) at previous_x, and up to the next piece.
+  float previous_t = exp(-tau * controls.inverse_weighting);
   bool alive = true;
   Walk walk = walk_begin(scene, origin, direction, k_min, controls.step, 0.0f, group);
   float fine = range / float(controls.refine_steps);
@@ -125,7 +125,7 @@ PLN_FN uint encode_texel(PLN_SCENE, vec3 origin, vec3 direction, int group, floa
   while (alive) {
     alive = walk.t_b < min(walk.t_end, k_max);
     if (alive) {
-      walk.steep = steep_segment * min(exp(tau), 10.0f);
+      walk.steep = steep_at(tau);
       walk_advance(scene, walk);
       float sigma_a = 0.0f;  // [1/world] of the group's reference channel
       float sigma_b = 0.0f;

@@ -107,7 +107,7 @@ PLN_FN float march_light(PLN_SCENE, int l, int g, vec3 p) {
   float end = min(walk.t_end, reach);
   float tau = 0.0f;
   while (walk.t_b < end && tau < LIGHT_MARCH_DEPTH) {
-    walk.steep = steep_segment * min(exp(tau), 10.0f);
+    walk.steep = steep_at(tau);
     walk_advance(scene, walk);
     float length_inside = min(walk.t_b, end) - min(walk.t, end);
     FOR_MEDIA tau += 0.5f * (walk.a[m] + walk.b[m]) * length_inside * MEDIUM(m).sigma_group;
@@ -214,8 +214,8 @@ PLN_FN ViewResult march_view(PLN_SCENE, vec3 origin, vec3 direction, float t_nea
       }
       float rest = walk.t_b - walk.t;
       float gain = 0.5f * (guide_a + guide_b) * rest;
-      // Decided once: tau + (tau_stop - tau) may round to less than tau_stop, and the rest of the segment
-      // would be lost.
+      // Decided once: tau + (tau_target - tau) may round to less than tau_target, and the rest of the
+      // segment would be lost.
       full = tau + gain >= tau_target;
       float piece = rest;
       bool cut = full;

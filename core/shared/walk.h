@@ -15,6 +15,12 @@ PLN_BEGIN
 PLN_CONST float steep_segment = 0.1f;     // [-]
 PLN_CONST float shortest_segment = 0.3f;  // [voxels]
 
+/// Walk::steep for light that has gathered tau [-] of optical depth: what little is left may be followed more
+/// coarsely.
+PLN_FN float steep_at(float tau) {
+  return steep_segment * min(exp(tau), 10.0f);
+}
+
 /// A ray in the own space of one medium; t is the same as in world space. For voxels the origin is that of
 /// the index tree's root, so that coordinates inside are never negative.
 struct LocalRay {

@@ -26,7 +26,8 @@ class Emission : public testing::TestWithParam<const char*> {
     scene.width = scene.height = 1;
     scene.quality = shipped_preset("high");
     scene.quality.view.transmittance_cutoff = 1e-4f;
-    scene.quality.view.step = 0.25f;  // a fade over one voxel is no thin matter to be sampled every second one
+    scene.quality.view.step =
+        0.25f;  // a fade over one voxel is no thin matter to be sampled every second one
     const Frame frame = renderer_of(GetParam())->render(scene, 1);
     EXPECT_EQ(frame.beauty[0], frame.emission[0]);
     return frame.emission[0];

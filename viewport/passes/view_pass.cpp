@@ -51,7 +51,8 @@ bool ViewPass::render(const SceneBlocks& blocks, const FlatScene& flat, const Sc
     for (int x = 0; x < scene.width; x += tile_size) {
       if (go_on && !go_on()) return false;
       glProgramUniform2i(program.name(), 0, x, y);
-      // All rows of groups, as spread_group() in scene_access.glsl asks; those outside the picture end at once.
+      // All rows of groups, as spread_group() in scene_access.glsl asks; those outside the picture end at
+      // once.
       const unsigned columns = unsigned(std::min(scene.width - x, tile_size) + group_size - 1) / group_size;
       glDispatchCompute(columns, tile_size / group_size, 1);
       if (go_on) glFinish();

@@ -87,9 +87,8 @@ TEST(AtomicFile, RefusesAFolderADeviceAndAFileUsedAsAFolder) {
 
 TEST(AtomicFile, RefusesAFolderThatTakesNoFilesEvenForTheSuperuser) {
   if (!std::filesystem::is_directory("/proc/self")) GTEST_SKIP() << "no /proc here";
-  EXPECT_NE(
-      message_of<FileError>([&] { check_writable("/proc/self/a.exr"); }).find("no file can be made in"),
-      std::string::npos);
+  EXPECT_NE(message_of<FileError>([&] { check_writable("/proc/self/a.exr"); }).find("no file can be made in"),
+            std::string::npos);
 }
 
 // An ordinary user for the time of a test: the superuser may write any file.
