@@ -57,6 +57,9 @@ struct ProceduralLook {
 /// Throws std::runtime_error on an unknown kind.
 ProceduralLook procedural_look(const std::string& kind);
 
+/// Gives a medium a look; its volume and place stay.
+void wear_look(const ProceduralLook& look, Medium& medium);
+
 /// Makes the volume: density in [0, 1] without unit, temperature [K] where the kind is hot; its index space
 /// is centred on the y axis with cubic voxels of 10 / resolution world units. Throws std::runtime_error on an
 /// unknown kind or parameter, or on a value out of its range.

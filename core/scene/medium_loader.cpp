@@ -8,9 +8,11 @@
 #include <stdexcept>
 
 #include "core/media/density_scale.h"
+#include "core/media/frame_sequence.h"
 #include "core/media/procedural.h"
 #include "core/media/vdb_reader.h"
 #include "core/scene/nearest_word.h"
+#include "core/scene/placement.h"
 #include "core/scene/scene_file.h"
 
 namespace plinian {
@@ -19,22 +21,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-enum class Source { file, procedural, analytic };
+using Source = MediumSource;
 
 bool contains(const std::vector<std::string>& words, const std::string& word) {
   return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-Source source_of(const MediumDescription& description) {
-  const std::string& name = description.volume;
-  if (contains(analytic_media, name)) return Source::analytic;
-  if (contains(procedural_kinds(), name)) return Source::procedural;
-  return Source::file;
-}
-
-fs::path path_of(const MediumDescription& description) {
-  const fs::path path(description.volume);
-  return path.is_absolute() || description.folder.empty() ? path : fs::path(description.folder) / path;
 }
 
 // Options of one kind of source must not be ignored silently with another.
@@ -57,9 +47,14 @@ void refuse_foreign_options(const MediumDescription& d, Source source) {
   }
 }
 
-void refuse_unknown_input(const MediumDescription& d, const fs::path& path) {
+void refuse_unknown_input(const MediumDescription& d) {
+  const fs::path path = medium_path(d);
   std::error_code error;
   if (fs::exists(path, error)) return;
+  if (const auto pattern = FramePattern::parse(path.string())) {
+    if (!pattern->frames_on_disk().empty()) return;
+    throw std::runtime_error(path.string() + ": no file of that sequence is there");
+  }
   std::vector<std::string> known = procedural_kinds();
   known.insert(known.end(), analytic_media.begin(), analytic_media.end());
   const bool plain_word = d.volume.find_first_of("./") == std::string::npos;
@@ -70,15 +65,11 @@ void refuse_unknown_input(const MediumDescription& d, const fs::path& path) {
                                            : ""));
 }
 
-dmat4 placement(const MediumDescription& d) {
+void refuse_flat(const MediumDescription& d) {
   const dvec3 scale = d.scale.value_or(dvec3(1.0));
   if (scale.x * scale.y * scale.z == 0.0)
     throw std::runtime_error(
         fmt::format("{}: scale: no axis may be 0, or the volume has no inside", d.volume));
-  dmat4 matrix = rotation_xyz(d.rotate.value_or(dvec3(0.0)));
-  for (int i = 0; i < 3; ++i) matrix[i] *= scale[i];
-  matrix[3] = dvec4(d.translate.value_or(dvec3(0.0)), 1.0);
-  return matrix;
 }
 
 void set_optics(const MediumDescription& d, Medium& medium) {
@@ -110,9 +101,44 @@ std::string free_path_text(const Medium& medium, float typical_density) {
   return fmt::format("mean free path {:.3g} m at its typical density", std::min({path.x, path.y, path.z}));
 }
 
-Medium read_file(const MediumDescription& d, const SceneLoadOptions& options, LoadedScene& told) {
-  const fs::path path = path_of(d);
-  refuse_unknown_input(d, path);
+// What a file says beside its voxels.
+void take_facts(const MediumDescription& d, const VdbFacts& facts, Medium& medium, LoadedScene& told) {
+  const std::string name = fs::path(facts.path).filename().string();
+  for (const std::string& line : facts.notes) told.notes.push_back(name + ": " + line);
+  for (const VdbWarning& warning : facts.warnings) told.warnings.push_back(name + ": " + warning.text);
+  const VdbOrientation orientation = medium_orientation(d, facts);
+  medium.world_from_medium = orientation.world_from_medium();
+  if (d.guess_orientation && !d.up_axis && !d.file_unit)
+    told.notes.push_back(fmt::format("{}: {} (--up-axis, --file-unit)", name, facts.orientation.reason));
+  else if (d.guess_orientation && !(d.up_axis && d.file_unit))
+    told.notes.push_back(fmt::format("{}: {} is up and a unit is {:.6g} m; the file's own guess: {}", name,
+                                     orientation.up_axis, orientation.file_unit, facts.orientation.reason));
+  if (facts.temperature.empty()) return;
+  medium.emission.scale = 1.0f;
+  if (!d.emission_scale)
+    told.notes.push_back(fmt::format("{}: '{}' makes it glow (medium.emission_scale=0 turns that off)", name,
+                                     facts.temperature.front().name));
+  // Voxels hold kelvin already; a scale per unit of the file is one on top of what they were multiplied by.
+  if (d.temperature_scale)
+    medium.emission.temperature_scale = float(*d.temperature_scale / facts.temperature_gain);
+}
+
+}  // namespace
+
+MediumSource medium_source(const MediumDescription& description) {
+  const std::string& name = description.volume;
+  if (contains(analytic_media, name)) return Source::analytic;
+  if (contains(procedural_kinds(), name)) return Source::procedural;
+  return Source::file;
+}
+
+std::string medium_path(const MediumDescription& description) {
+  const fs::path path(description.volume);
+  return path.is_absolute() || description.folder.empty() ? path.string()
+                                                          : (fs::path(description.folder) / path).string();
+}
+
+VdbOptions medium_vdb_options(const MediumDescription& d) {
   VdbOptions vdb;
   vdb.grid = d.grid.value_or("");
   // In a scene of other programs a temperature that nobody mentions would be light that nobody expects.
@@ -120,66 +146,49 @@ Medium read_file(const MediumDescription& d, const SceneLoadOptions& options, Lo
   vdb.temperature_grid = emits ? d.temperature_grid.value_or("") : "none";
   vdb.level_set = d.level_set.value_or(LevelSetMode::refuse);
   vdb.frustum = d.frustum.value_or(FrustumMode::refuse);
-  vdb.time_limit_s = options.vdb_time_limit_s;
-  vdb.memory_limit_bytes = options.vdb_memory_limit_bytes;
-  vdb.progress = options.progress;
-  VdbVolume file;
-  try {
-    file = read_vdb(path.string(), vdb);
-  } catch (const VdbCancelled&) {
-    throw SceneLoadCancelled();
-  }
-  const std::string name = path.filename().string();
-  for (const std::string& line : file.facts.notes) told.notes.push_back(name + ": " + line);
-  for (const VdbWarning& warning : file.facts.warnings) told.warnings.push_back(name + ": " + warning.text);
-
-  Medium medium;
-  medium.volume = file.volume;
-  VdbOrientation orientation = d.guess_orientation ? file.facts.orientation : VdbOrientation{};
-  if (d.up_axis) orientation.up_axis = *d.up_axis == UpAxis::z ? 'z' : 'y';
-  if (d.file_unit) orientation.file_unit = *d.file_unit;
-  medium.world_from_medium = orientation.world_from_medium();
-  if (d.guess_orientation && !d.up_axis && !d.file_unit)
-    told.notes.push_back(fmt::format("{}: {} (--up-axis, --file-unit)", name, file.facts.orientation.reason));
-  else if (d.guess_orientation && !(d.up_axis && d.file_unit))
-    told.notes.push_back(fmt::format("{}: {} is up and a unit is {:.6g} m; the file's own guess: {}", name,
-                                     orientation.up_axis, orientation.file_unit,
-                                     file.facts.orientation.reason));
-  if (!file.facts.temperature.empty()) {
-    medium.emission.scale = 1.0f;
-    if (!d.emission_scale)
-      told.notes.push_back(fmt::format("{}: '{}' makes it glow (medium.emission_scale=0 turns that off)",
-                                       name, file.facts.temperature.front().name));
-    // Voxels hold kelvin already; a scale per unit of the file is one on top of what they were multiplied by.
-    if (d.temperature_scale)
-      medium.emission.temperature_scale = float(*d.temperature_scale / file.facts.temperature_gain);
-  }
-  return medium;
+  return vdb;
 }
 
-Medium make_medium(const MediumDescription& d, const SceneLoadOptions& options, LoadedScene& told) {
+VdbOrientation medium_orientation(const MediumDescription& d, const VdbFacts& facts) {
+  VdbOrientation orientation = d.guess_orientation ? facts.orientation : VdbOrientation{};
+  if (d.up_axis) orientation.up_axis = *d.up_axis == UpAxis::z ? 'z' : 'y';
+  if (d.file_unit) orientation.file_unit = *d.file_unit;
+  return orientation;
+}
+
+ProceduralSettings medium_procedural(const MediumDescription& d) {
   ProceduralSettings settings;
   settings.kind = d.volume;
   if (d.resolution) settings.resolution = *d.resolution;
   if (d.seed) settings.seed = std::uint32_t(*d.seed);
   settings.shape = d.shape;
-  if (!told.seed) told.seed = int(settings.seed);
-  try {
-    return procedural_medium(settings, options.progress);
-  } catch (const ProceduralCancelled&) {
-    throw SceneLoadCancelled();
-  }
+  return settings;
 }
 
-}  // namespace
+Placement medium_placement(const MediumDescription& d) {
+  return {.translate = d.translate.value_or(dvec3(0.0)),
+          .rotate = d.rotate.value_or(dvec3(0.0)),
+          .scale = d.scale.value_or(dvec3(1.0))};
+}
 
-Medium load_medium(const MediumDescription& d, const SceneLoadOptions& options, LoadedScene& told) {
-  const Source source = source_of(d);
+void check_medium(const MediumDescription& d) {
+  const Source source = medium_source(d);
   refuse_foreign_options(d, source);
-  const dmat4 placed = placement(d);
+  refuse_flat(d);
+  if (source == Source::file) refuse_unknown_input(d);
+}
+
+Medium finish_medium(const MediumDescription& d, std::shared_ptr<const BrickVolume> volume,
+                     const VdbFacts* facts, LoadedScene& told) {
+  const Source source = medium_source(d);
+  const dmat4 placed = matrix_of(medium_placement(d));
   Medium medium;
-  if (source == Source::file) medium = read_file(d, options, told);
-  if (source == Source::procedural) medium = make_medium(d, options, told);
+  medium.volume = std::move(volume);
+  if (source == Source::file) take_facts(d, *facts, medium, told);
+  if (source == Source::procedural) {
+    wear_look(procedural_look(d.volume), medium);
+    if (!told.seed) told.seed = int(medium_procedural(d).seed);
+  }
   if (source == Source::analytic) medium.shape = d.volume == "box" ? MediumShape::box : MediumShape::sphere;
   medium.name = d.name.empty() ? "medium" : d.name;
   medium.world_from_medium = placed * medium.world_from_medium;
@@ -197,16 +206,36 @@ Medium load_medium(const MediumDescription& d, const SceneLoadOptions& options, 
   if (source == Source::file && !d.density_scale) {
     medium.density_scale = automatic_density_scale(*medium.volume, medium.world_from_medium);
     if (!medium.volume->empty()) {
-      const DensityFacts facts = measure_density(*medium.volume, medium.world_from_medium);
+      const DensityFacts density = measure_density(*medium.volume, medium.world_from_medium);
       told.notes.push_back(
           fmt::format("{}: density scale {:.4g}, for a median optical depth of 12; {} (--density-scale)",
-                      path_of(d).filename().string(), medium.density_scale,
-                      free_path_text(medium, facts.typical_density)));
+                      fs::path(facts->path).filename().string(), medium.density_scale,
+                      free_path_text(medium, density.typical_density)));
     }
   } else if (d.rescale == Keep::optical_depth) {
     medium.density_scale = float(medium.density_scale / size_factor);
   }
   return medium;
+}
+
+Medium load_medium(const MediumDescription& d, const SceneLoadOptions& options, LoadedScene& told) {
+  check_medium(d);
+  const Source source = medium_source(d);
+  if (source == Source::analytic) return finish_medium(d, nullptr, nullptr, told);
+  try {
+    if (source == Source::procedural)
+      return finish_medium(d, make_procedural(medium_procedural(d), options.progress), nullptr, told);
+    VdbOptions vdb = medium_vdb_options(d);
+    vdb.time_limit_s = options.vdb_time_limit_s;
+    vdb.memory_limit_bytes = options.vdb_memory_limit_bytes;
+    vdb.progress = options.progress;
+    const VdbVolume file = read_vdb(medium_path(d), vdb);
+    return finish_medium(d, file.volume, &file.facts, told);
+  } catch (const ProceduralCancelled&) {
+    throw SceneLoadCancelled();
+  } catch (const VdbCancelled&) {
+    throw SceneLoadCancelled();
+  }
 }
 
 }  // namespace plinian

@@ -91,6 +91,12 @@ std::uint64_t scene_hash(const SceneSnapshot& scene) {
   return hash.result();
 }
 
+std::uint64_t volume_hash(const BrickVolume& volume) {
+  Hasher hash;
+  add_volume(hash, volume);
+  return hash.result();
+}
+
 std::string scene_hash_text(const SceneSnapshot& scene) {
   return fmt::format("{:016x}", scene_hash(scene));
 }

@@ -13,6 +13,9 @@ namespace plinian {
 /// machine and in every run.
 std::uint64_t scene_hash(const SceneSnapshot& scene);
 
+/// Hash of a volume's voxels, their temperature and where they are.
+std::uint64_t volume_hash(const BrickVolume& volume);
+
 /// As 16 hexadecimal digits.
 std::string scene_hash_text(const SceneSnapshot& scene);
 

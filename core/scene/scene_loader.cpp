@@ -10,6 +10,7 @@
 #include "core/scene/default_lights.h"
 #include "core/scene/framing.h"
 #include "core/scene/medium_loader.h"
+#include "core/scene/placement.h"
 
 namespace plinian {
 
@@ -36,6 +37,8 @@ Camera make_lens(const CameraDescription& d) {
   return camera;
 }
 
+}  // namespace
+
 Camera make_camera(const SceneDescription& scene, const SceneBounds& bounds, const ivec2& size,
                    LoadedScene& told) {
   const CameraDescription& d = scene.camera;
@@ -61,6 +64,8 @@ Camera make_camera(const SceneDescription& scene, const SceneBounds& bounds, con
   return camera;
 }
 
+namespace {
+
 vec3 direction(const SceneDescription& scene, const std::string& light, const char* key,
                const dvec3& vector) {
   const double size = length(vector);
@@ -68,11 +73,13 @@ vec3 direction(const SceneDescription& scene, const std::string& light, const ch
   return vec3(vector / size);
 }
 
-Light make_light(const SceneDescription& scene, const LightDescription& d, const SceneSnapshot& snapshot,
+}  // namespace
+
+Light make_light(const SceneDescription& scene, const LightDescription& d, const Camera& camera,
                  const SceneBounds& bounds, LoadedScene& told) {
   Light light;
-  if (d.role == LightRole::key) light = default_key(snapshot.camera);
-  if (d.role == LightRole::rim) light = default_rim(snapshot.camera);
+  if (d.role == LightRole::key) light = default_key(camera);
+  if (d.role == LightRole::rim) light = default_rim(camera);
   light.name = d.name;
   light.type = d.type;
   if (d.type != LightType::directional) {
@@ -112,14 +119,12 @@ Light make_light(const SceneDescription& scene, const LightDescription& d, const
   return light;
 }
 
-}  // namespace
+vec3 ambient_of(const SceneDescription& scene) {
+  return scene.ambient.value_or(scene.default_lights ? default_ambient : vec3(0.0f));
+}
 
-dmat4 rotation_xyz(const dvec3& degrees) {
-  const dvec3 c = cos(radians(degrees)), s = sin(radians(degrees));
-  const dmat4 x(dvec4(1, 0, 0, 0), dvec4(0, c.x, s.x, 0), dvec4(0, -s.x, c.x, 0), dvec4(0, 0, 0, 1));
-  const dmat4 y(dvec4(c.y, 0, -s.y, 0), dvec4(0, 1, 0, 0), dvec4(s.y, 0, c.y, 0), dvec4(0, 0, 0, 1));
-  const dmat4 z(dvec4(c.z, s.z, 0, 0), dvec4(-s.z, c.z, 0, 0), dvec4(0, 0, 1, 0), dvec4(0, 0, 0, 1));
-  return z * y * x;
+vec3 background_of(const SceneDescription& scene) {
+  return scene.background.value_or(scene.default_lights ? default_background : vec3(0.0f));
 }
 
 LoadedScene load_scene(const SceneDescription& scene, const SceneLoadOptions& options) {
@@ -139,9 +144,9 @@ LoadedScene load_scene(const SceneDescription& scene, const SceneLoadOptions& op
   const SceneBounds bounds = scene_bounds(snapshot.media);
   snapshot.camera = make_camera(scene, bounds, size, loaded);
   for (const LightDescription& light : scene.lights)
-    snapshot.lights.push_back(make_light(scene, light, snapshot, bounds, loaded));
-  snapshot.ambient = scene.ambient.value_or(scene.default_lights ? default_ambient : vec3(0.0f));
-  snapshot.background = scene.background.value_or(scene.default_lights ? default_background : vec3(0.0f));
+    snapshot.lights.push_back(make_light(scene, light, snapshot.camera, bounds, loaded));
+  snapshot.ambient = ambient_of(scene);
+  snapshot.background = background_of(scene);
   return loaded;
 }
 

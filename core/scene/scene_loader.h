@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/scene/framing.h"
 #include "core/scene/scene_description.h"
 #include "core/scene/snapshot.h"
 
@@ -34,8 +35,18 @@ struct LoadedScene {
   std::optional<int> seed;            // of the first procedural medium
 };
 
-/// Rotation about x, then y, then z [degrees], as Maya's default order has it.
-dmat4 rotation_xyz(const dvec3& degrees);
+/// The camera with everything that the description leaves open, for pictures of that size. Appends to the
+/// notes of `told`. Throws std::runtime_error (one line).
+Camera make_camera(const SceneDescription& scene, const SceneBounds& bounds, const ivec2& size,
+                   LoadedScene& told);
+
+/// A light of the scene, likewise. camera: around which the default lights stand.
+Light make_light(const SceneDescription& scene, const LightDescription& description, const Camera& camera,
+                 const SceneBounds& bounds, LoadedScene& told);
+
+/// The sky of the scene [radiance].
+vec3 ambient_of(const SceneDescription& scene);
+vec3 background_of(const SceneDescription& scene);
 
 /// Throws std::runtime_error (one line) for what cannot be read or used, SceneLoadCancelled.
 LoadedScene load_scene(const SceneDescription& scene, const SceneLoadOptions& options = {});

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/scene/framing.h"
-#include "core/scene/scene_loader.h"
+#include "core/scene/placement.h"
 #include "host/cli/renderers.h"
 
 namespace plinian::cli {

@@ -162,16 +162,20 @@ std::shared_ptr<const BrickVolume> make_procedural(const ProceduralSettings& set
   return std::make_shared<const BrickVolume>(builder.build(medium_from_index));
 }
 
-Medium procedural_medium(const ProceduralSettings& settings, const ProceduralProgress& progress) {
-  const ProceduralLook look = procedural_look(settings.kind);
-  Medium medium;
-  medium.name = settings.kind;
-  medium.volume = make_procedural(settings, progress);
+void wear_look(const ProceduralLook& look, Medium& medium) {
   medium.density_scale = look.density_scale;
   medium.sigma_s = look.sigma_s;
   medium.sigma_a = look.sigma_a;
   medium.phase = look.phase;
   medium.emission = look.emission;
+}
+
+Medium procedural_medium(const ProceduralSettings& settings, const ProceduralProgress& progress) {
+  const ProceduralLook look = procedural_look(settings.kind);
+  Medium medium;
+  medium.name = settings.kind;
+  medium.volume = make_procedural(settings, progress);
+  wear_look(look, medium);
   return medium;
 }
 
