@@ -36,8 +36,8 @@ const std::set<std::string> sources = {".h", ".cpp", ".comp", ".glsl"};
 
 // The folder that decides what a file may use.
 std::string layer_of(const std::string& path) {
-  for (const char* layer :
-       {"host/cli/", "host/window/", "host/graph/", "host/sdk/", "host/", "viewport/", "core/", "tests/"})
+  for (const char* layer : {"host/cli/", "host/window/", "host/graph/", "host/sdk/", "host/nodes/", "host/",
+                            "viewport/", "core/", "tests/"})
     if (path.starts_with(layer)) return std::string(layer);
   return "";
 }
@@ -48,10 +48,12 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"viewport/", {"core/"}},
     {"host/graph/", {"core/"}},
     {"host/sdk/", {"core/", "host/graph/"}},
-    {"host/", {"core/", "host/graph/", "host/sdk/"}},
-    {"host/cli/", {"core/", "viewport/", "host/", "host/graph/", "host/sdk/"}},
-    {"host/window/", {"core/", "viewport/", "host/", "host/graph/", "host/sdk/"}},
-    {"tests/", {"core/", "viewport/", "host/", "host/graph/", "host/sdk/", "host/cli/", "host/window/"}},
+    {"host/nodes/", {"core/", "host/graph/", "host/sdk/"}},
+    {"host/", {"core/", "host/graph/", "host/sdk/", "host/nodes/"}},
+    {"host/cli/", {"core/", "viewport/", "host/", "host/graph/", "host/sdk/", "host/nodes/"}},
+    {"host/window/", {"core/", "viewport/", "host/", "host/graph/", "host/sdk/", "host/nodes/"}},
+    {"tests/",
+     {"core/", "viewport/", "host/", "host/graph/", "host/sdk/", "host/nodes/", "host/cli/", "host/window/"}},
 };
 
 // Includes that are forbidden, one line each.
@@ -84,6 +86,21 @@ TEST(Structure, IncludesPointOneWayCoreViewportHost) {
       for (const std::string& line : forbidden_includes(path, text_of(root / path))) ADD_FAILURE() << line;
     }
   EXPECT_GT(files, 50u);
+}
+
+// What plug-ins include is installed alone, so it may use nothing else of ours.
+TEST(Structure, PluginHeadersUseNothingButOneAnother) {
+  const std::regex include(R"re(#\s*include\s*"([^"]+)")re");
+  std::vector<std::string> headers = files_under("host/sdk/abi", {".h"});
+  for (const std::string& path : files_under("host/sdk/plugin", {".h"})) headers.push_back(path);
+  headers.insert(headers.end(), {"host/sdk/abi.h", "host/sdk/plugin.h"});
+  EXPECT_GE(headers.size(), 6u);
+  const std::set<std::string> known(headers.begin(), headers.end());
+  for (const std::string& path : headers) {
+    const std::string text = text_of(root / path);
+    for (std::sregex_iterator match(text.begin(), text.end(), include), end; match != end; ++match)
+      EXPECT_TRUE(known.contains((*match)[1])) << path << " includes " << (*match)[1];
+  }
 }
 
 // Headers that take seconds to compile may be seen by sources, and by headers that their own folder keeps to

@@ -17,7 +17,7 @@ using graph::GraphError;
 struct PluginManager::Library {
   PluginDescription description;
   std::string path;
-  void* handle = nullptr;
+  void* handle = nullptr;  // null: linked in
   PluginRegistrar registrar;
   void (*uninitialise)(const PlinianHost*) = nullptr;
   std::vector<graph::NodeTypePtr> types;
@@ -51,7 +51,7 @@ PluginManager::PluginManager(graph::Session& session, std::vector<fs::path> fold
 
 PluginManager::~PluginManager() {
   session_.on_requires = nullptr;
-  while (!libraries_.empty()) unload(libraries_.begin()->first, true);
+  while (!libraries_.empty()) remove(*libraries_.begin()->second);
   for (const char* command : {"loadPlugin", "unloadPlugin", "pluginInfo"})
     session_.commands().remove(command);
 }
@@ -93,15 +93,13 @@ std::string PluginManager::load(const std::string& name_or_path) {
   }
   // Whatever fails from here on, the library goes as it came.
   struct Closer {
-    Library& library;
-    bool armed = true;
+    Library* library;
     ~Closer() {
-      if (!armed) return;
-      library.registrar.node_types.clear();
-      library.registrar.commands.clear();
-      ::dlclose(library.handle);
+      if (!library) return;
+      library->registrar.clear();
+      ::dlclose(library->handle);
     }
-  } closer{*library};
+  } closer{library.get()};
   const auto symbol = [&](const char* name) {
     void* found = ::dlsym(library->handle, name);
     if (!found) throw refuse(std::string("lacks the function ") + name);
@@ -109,41 +107,66 @@ std::string PluginManager::load(const std::string& name_or_path) {
   };
   const auto initialise = reinterpret_cast<int (*)(const PlinianHost*)>(symbol("plinian_initialise"));
   library->uninitialise = reinterpret_cast<void (*)(const PlinianHost*)>(symbol("plinian_uninitialise"));
+  start(*library, initialise);
+  closer.library = nullptr;
+  return adopt(std::move(library));
+}
+
+std::string PluginManager::add_linked(const PlinianLinkedPlugin& plugin) {
+  auto library = std::make_unique<Library>();
+  library->description = parse_description(plugin.description, "a plug-in of the program");
+  library->path = "part of the program";
+  if (libraries_.contains(library->description.name))
+    throw GraphError("the plug-in '" + library->description.name + "' is loaded already");
+  library->uninitialise = plugin.uninitialise;
+  start(*library, plugin.initialise);
+  return adopt(std::move(library));
+}
+
+// Runs a plug-in's initialisation and registers what it brings: all of it, or, where it throws, nothing.
+void PluginManager::start(Library& library, int (*initialise)(const PlinianHost*)) {
+  const auto refuse = [&](const std::string& why) -> GraphError {
+    return GraphError(library.path + ": " + why);
+  };
   bool success = false;
   try {
-    success = initialise(&library->registrar.host()) != 0;
+    success = initialise(&library.registrar.host()) != 0;
   } catch (...) {
     throw refuse("failed to initialise: it threw an exception");  // one that does not use plugin.h
   }
   const auto back_out = [&](const std::string& why) {
-    for (const graph::NodeTypePtr& type : library->types) session_.types().remove(type->name());
-    for (const std::string& command : library->commands) session_.commands().remove(command);
-    library->types.clear();
-    library->uninitialise(&library->registrar.host());
+    for (const graph::NodeTypePtr& type : library.types) session_.types().remove(type->name());
+    for (const std::string& command : library.commands) session_.commands().remove(command);
+    library.types.clear();
+    library.uninitialise(&library.registrar.host());
     throw refuse(why);
   };
-  if (!success || !library->registrar.error.empty())
-    back_out("failed to initialise: " + (library->registrar.error.empty() ? std::string("no reason is given")
-                                                                          : library->registrar.error));
+  if (!success || !library.registrar.error.empty())
+    back_out("failed to initialise: " +
+             (library.registrar.error.empty() ? std::string("no reason is given") : library.registrar.error));
   try {
-    for (graph::NodeTypeSpec& spec : library->registrar.node_types) {
-      spec.plugin = description.name;
-      spec.plugin_version = description.version;
-      library->types.push_back(session_.types().add(std::move(spec)));
+    for (graph::NodeTypeSpec& spec : library.registrar.node_types) {
+      // A scene need not name what is a part of the program.
+      if (library.handle) {
+        spec.plugin = library.description.name;
+        spec.plugin_version = library.description.version;
+      }
+      library.types.push_back(session_.types().add(std::move(spec)));
     }
-    for (graph::CommandSpec& spec : library->registrar.commands) {
+    for (graph::CommandSpec& spec : library.registrar.commands) {
       const std::string name = spec.name;
       session_.commands().add(std::move(spec));
-      library->commands.push_back(name);
+      library.commands.push_back(name);
     }
   } catch (const GraphError& error) {
     back_out(error.what());
   }
-  library->registrar.node_types.clear();
-  library->registrar.commands.clear();
-  closer.armed = false;
-  const std::string name = description.name;
-  Library& kept = *libraries_.emplace(name, std::move(library)).first->second;
+  library.registrar.clear();
+}
+
+std::string PluginManager::adopt(std::unique_ptr<Library> library) {
+  const std::string name = library->description.name;
+  const Library& kept = *libraries_.emplace(name, std::move(library)).first->second;
   for (const graph::NodeTypePtr& type : kept.types)
     for (const std::string& warning : graph::revive_nodes(session_.editor(), type)) session_.warn(warning);
   return name;
@@ -157,6 +180,7 @@ void PluginManager::unload(const std::string& name, bool force) {
     throw GraphError("the plug-in " + graph::shown(name) + " is not loaded" + did_you_mean(name, known));
   }
   Library& library = *found->second;
+  if (!library.handle) throw GraphError("the plug-in '" + name + "' is a part of the program and stays");
   std::vector<std::string> users;
   for (const graph::Node* node : session_.graph().nodes())
     if (node->type->spec().plugin == name && !node->type->is_unknown()) users.push_back(node->name);
@@ -167,6 +191,10 @@ void PluginManager::unload(const std::string& name, bool force) {
                      (count > 5 ? " and " + std::to_string(count - 5) + " more" : "") +
                      ": delete them, or give -force to keep them as unknown nodes");
   }
+  remove(library);
+}
+
+void PluginManager::remove(Library& library) {
   for (const graph::NodeTypePtr& type : library.types) {
     session_.types().remove(type->name());
     graph::forget_type(session_.editor(), type);
@@ -174,12 +202,7 @@ void PluginManager::unload(const std::string& name, bool force) {
   // Steps of undo would bring back nodes whose code is gone.
   if (!library.types.empty()) session_.history().forget_steps();
   for (const std::string& command : library.commands) session_.commands().remove(command);
-  close(library);
-  libraries_.erase(found);
-}
-
-// Nothing of the library may run any more, nor be held, before it goes.
-void PluginManager::close(Library& library) {
+  // Nothing of it may run any more, nor be held, before it goes.
   session_.evaluator().cancel_all();
   session_.evaluator().finish();
   session_.evaluator().forget();
@@ -187,7 +210,8 @@ void PluginManager::close(Library& library) {
   library.uninitialise(&library.registrar.host());
   // Somebody, a picture on the screen for instance, may still hold data that the library must release: then
   // it stays.
-  if (live_plugin_data() == 0) ::dlclose(library.handle);
+  if (library.handle && library.registrar.data->objects == 0) ::dlclose(library.handle);
+  libraries_.erase(std::string(library.description.name));
 }
 
 std::vector<PluginManager::Loaded> PluginManager::plugins() const {

@@ -30,14 +30,18 @@ class PluginManager {
   /// already.
   std::string load(const std::string& name_or_path);
 
-  /// Unloads a plug-in once running evaluations have ended. Throws GraphError, naming nodes of its types,
-  /// where there are any; with `force` they become unknown ones that keep everything. Forgets results, and
-  /// steps of undo where nodes changed.
+  /// Registers a plug-in that is compiled into the program (PLINIAN_LINKED_PLUGIN): it cannot be unloaded,
+  /// and scenes that use it do not ask for it. Returns its name. Throws as load() does.
+  std::string add_linked(const PlinianLinkedPlugin& plugin);
+
+  /// Unloads a plug-in once running evaluations have ended. Throws GraphError where it is a part of the
+  /// program, and, naming nodes of its types, where there are any; with `force` they become unknown ones that
+  /// keep everything. Forgets results, and steps of undo where nodes changed.
   void unload(const std::string& name, bool force);
 
   struct Loaded {
     PluginDescription description;
-    std::string path;
+    std::string path;  // or "part of the program"
   };
   std::vector<Loaded> plugins() const;
   const std::vector<std::filesystem::path>& folders() const { return folders_; }
@@ -46,7 +50,9 @@ class PluginManager {
   struct Library;
   std::string find(const std::string& name) const;
   void add_commands();
-  void close(Library& library);
+  void start(Library& library, int (*initialise)(const PlinianHost*));
+  std::string adopt(std::unique_ptr<Library> library);
+  void remove(Library& library);
 
   graph::Session& session_;
   std::vector<std::filesystem::path> folders_;

@@ -1,12 +1,14 @@
 // The host's side of the tables: what a plug-in registers, as the graph's own declarations.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "host/graph/commands/command.h"
 #include "host/graph/types/node_type.h"
 #include "host/sdk/abi.h"
+#include "host/sdk/data_count.h"
 
 namespace plinian::sdk {
 
@@ -21,16 +23,15 @@ class PluginRegistrar {
   /// For plinian_initialise; good for as long as the registrar lives.
   const PlinianHost& host() const { return host_; }
 
+  void clear();  // what was registered, once it is where it belongs
+
   std::vector<graph::NodeTypeSpec> node_types;
   std::vector<graph::CommandSpec> commands;
   std::string error;  // of the first thing that failed
+  const std::shared_ptr<DataCount> data = std::make_shared<DataCount>();
 
  private:
   PlinianHost host_{};
 };
-
-/// Data objects handed over by plug-ins that somebody still holds: a library must stay while its code may be
-/// called to release one.
-std::size_t live_plugin_data();
 
 }  // namespace plinian::sdk

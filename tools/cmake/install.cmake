@@ -6,10 +6,11 @@ foreach(library core viewport)
   install(TARGETS plinian_${library} EXPORT plinian-targets)
 endforeach()
 install(TARGETS plinian)
-# A plug-in needs two headers, and none of the libraries that the program is made of.
+# A plug-in needs a few headers, and none of the libraries that the program is made of.
 set_target_properties(plinian_plugin PROPERTIES EXPORT_NAME plugin)
 install(TARGETS plinian_plugin EXPORT plinian-plugin-targets)
 install(FILES host/sdk/abi.h host/sdk/plugin.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plinian/host/sdk)
+install(DIRECTORY host/sdk/abi host/sdk/plugin DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plinian/host/sdk)
 
 foreach(folder core viewport)
   install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plinian FILES_MATCHING PATTERN "*.h")

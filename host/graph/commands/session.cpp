@@ -5,15 +5,12 @@
 #include "host/graph/files/scene_reader.h"
 #include "host/graph/files/scene_writer.h"
 #include "host/graph/graph_error.h"
-#include "host/graph/nodes/node_types.h"
 
 namespace plinian::graph {
 
 Session::Session() : Session(Evaluator::Options()) {}
 
 Session::Session(const Evaluator::Options& options) : evaluator_(graph_, options) {
-  add_time_node(types_);
-  add_anim_curve_node(types_);
   add_node_commands(commands_);
   add_attribute_commands(commands_);
   add_connection_commands(commands_);
@@ -72,7 +69,8 @@ void Session::new_scene() {
   {
     const History::Scope scope(history_, "newScene");
     clear_graph(editor_);
-    editor_.create_node(types_.get("time"));
+    // A program without node types has an empty scene.
+    if (const NodeTypePtr time = types_.find("time")) editor_.create_node(time);
   }
   history_.clear();
   history_.mark_saved();

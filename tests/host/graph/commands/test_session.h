@@ -4,6 +4,7 @@
 #include "host/graph/commands/session.h"
 #include "host/graph/evaluation/compute_context.h"
 #include "host/graph/files/scene_writer.h"
+#include "host/nodes/built_in.h"
 #include "tests/core/scene/temporary_folder.h"
 #include "tests/host/graph/test_scene.h"
 
@@ -11,8 +12,10 @@ namespace plinian::graph {
 
 struct TestSession : Session {
   std::vector<std::string> echoes, warnings;
+  sdk::PluginManager plugins{*this, {}};
 
   TestSession() : Session({.cache_bytes = 1 << 20, .workers = 1}) {
+    nodes::add_built_in(*this, plugins);
     add_test_types(types());
     on_echo = [this](const std::string& line) { echoes.push_back(line); };
     on_warning = [this](const std::string& line) { warnings.push_back(line); };

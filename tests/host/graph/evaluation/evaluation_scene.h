@@ -5,7 +5,7 @@
 
 #include "host/graph/evaluation/compute_context.h"
 #include "host/graph/evaluation/evaluator.h"
-#include "host/graph/nodes/node_types.h"
+#include "host/nodes/built_in.h"
 #include "tests/host/graph/test_scene.h"
 
 namespace plinian::graph {
@@ -14,12 +14,14 @@ namespace plinian::graph {
 /// its input two frames ago. "wait": returns when it is cancelled or `released` is set. "liar": reads b,
 /// which does not affect its output. "vector": out = (x, 2 x, 3 x).
 struct EvaluationScene : TestScene {
+  sdk::PluginRegistrar built_in;
   std::atomic<bool> released{false}, started{false};
   std::atomic<int> running{0}, most_running{0};
 
   EvaluationScene() {
-    add_time_node(registry);
-    add_anim_curve_node(registry);
+    nodes::built_in_plugin().initialise(&built_in.host());
+    for (NodeTypeSpec& spec : built_in.node_types)
+      if (spec.name == "time" || spec.name == "animCurve") registry.add(spec);
     const auto number = [](const char* name) { return AttributeSpec{.name = name, .affects = {"out"}}; };
     const AttributeSpec out = {.name = "out", .output = true};
     registry.add(

@@ -2,19 +2,20 @@
 #include "host/sdk/plugin.h"
 
 #if defined(BAD_THROWS)
-PLINIAN_PLUGIN("bad", "1.0", "Nobody", "");
-void plinian::sdk::initialise(Plugin& plugin) {
-  plugin.add(NodeType("badNode"));
-  throw Error("it is Monday");
+static void initialise(plinian::sdk::Plugin& plugin) {
+  plugin.add(plinian::sdk::NodeType("badNode"));
+  throw plinian::sdk::Error("it is Monday");
 }
+PLINIAN_PLUGIN("bad", "1.0", "Nobody", "", initialise);
 #elif defined(BAD_TYPE)
-PLINIAN_PLUGIN("bad", "1.0", "Nobody", "node:badNode");
-void plinian::sdk::initialise(Plugin& plugin) {
+static void initialise(plinian::sdk::Plugin& plugin) {
+  using namespace plinian::sdk;
   plugin.add(NodeType("fineNode"));
   NodeType type("badNode");
   type.add({.name = "a", .affects = "nothing"});
   plugin.add(type);
 }
+PLINIAN_PLUGIN("bad", "1.0", "Nobody", "node:badNode", initialise);
 #elif defined(BAD_PLAIN)
 // Without plugin.h: described by a file beside it, and throwing through the boundary or lacking functions.
 #if defined(BAD_THROWS_THROUGH)

@@ -8,17 +8,15 @@
 #define WOBBLE_TYPE "wobble"
 #endif
 
-PLINIAN_PLUGIN(WOBBLE_NAME, "1.2", "A. Artist", "node:" WOBBLE_TYPE " command:wobbleAll");
-
 namespace {
 
 struct Numbers {
   std::vector<double> values;
 };
 
-}  // namespace
+using namespace plinian::sdk;
 
-void plinian::sdk::initialise(Plugin& plugin) {
+void initialise(Plugin& plugin) {
   NodeType wobble(WOBBLE_TYPE, 2);
   wobble.help = "Doubles a number, and makes data of it.";
   wobble.aliases = "strength=amount";
@@ -88,3 +86,12 @@ void plinian::sdk::initialise(Plugin& plugin) {
                      }});
 #endif
 }
+
+}  // namespace
+
+#ifdef WOBBLE_LINKED
+PLINIAN_LINKED_PLUGIN(WOBBLE_LINKED, WOBBLE_NAME, "1.2", "A. Artist",
+                      "node:" WOBBLE_TYPE " command:wobbleAll", initialise);
+#else
+PLINIAN_PLUGIN(WOBBLE_NAME, "1.2", "A. Artist", "node:" WOBBLE_TYPE " command:wobbleAll", initialise);
+#endif

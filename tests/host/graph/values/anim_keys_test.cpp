@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
-#include "host/graph/nodes/node_types.h"
+#include "host/graph/values/anim_keys.h"
 
 namespace plinian::graph {
 namespace {
 
-TEST(AnimCurve, HoldsItsEndsAndRunsBetweenItsKeysAsTheySay) {
+TEST(AnimKeys, HoldsItsEndsAndRunsBetweenItsKeysAsTheySay) {
   const std::vector<AnimKey> keys = {{30.0, 1.0, Interpolation::linear},
                                      {10.0, 5.0, Interpolation::stepped},
                                      {20.0, 7.0, Interpolation::linear}};
@@ -17,7 +17,7 @@ TEST(AnimCurve, HoldsItsEndsAndRunsBetweenItsKeysAsTheySay) {
   EXPECT_EQ(evaluate_keys(keys, 99.0), 1.0);
 }
 
-TEST(AnimCurve, SmoothKeysNeverOvershootAndLieOnAStraightLineWhereTheKeysDo) {
+TEST(AnimKeys, SmoothKeysNeverOvershootAndLieOnAStraightLineWhereTheKeysDo) {
   const std::vector<AnimKey> rise = {{0.0, 0.0}, {1.0, 0.0}, {2.0, 10.0}, {3.0, 10.0}};
   for (double t = 0.0; t <= 3.0; t += 0.01) {
     EXPECT_GE(evaluate_keys(rise, t), 0.0);

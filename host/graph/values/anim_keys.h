@@ -1,15 +1,11 @@
-// The node types that the graph itself cannot do without.
+// A number over time, by keys: what an animation curve holds.
 #pragma once
 
 #include <vector>
 
-#include "host/graph/types/type_registry.h"
 #include "host/graph/values/ramp.h"
 
 namespace plinian::graph {
-
-void add_time_node(TypeRegistry& registry);
-void add_anim_curve_node(TypeRegistry& registry);
 
 struct AnimKey {
   double time = 0.0;  // [frames]

@@ -1,0 +1,49 @@
+/* Commands. */
+#ifndef PLINIAN_SDK_ABI_COMMAND_H
+#define PLINIAN_SDK_ABI_COMMAND_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A word of a command: a parameter, or a flag with or without a word behind it. */
+typedef struct PlinianArgument {
+  size_t size;
+  const char* name;
+  const char* kind; /* "text", "number", "integer", "node", "plug", "path", or of a flag "" for none */
+  const char* help;
+  int32_t optional, many;
+} PlinianArgument;
+
+typedef struct PlinianCall PlinianCall;
+typedef struct PlinianCommandContext {
+  size_t size;
+  size_t (*word_count)(PlinianCall*, const char* argument); /* 0 where it was not given */
+  int (*given)(PlinianCall*, const char* argument);
+  const char* (*word)(PlinianCall*, const char* argument, size_t index);
+  /* Runs another command as a part of this one, so that undo takes both back. answers: lines, or null. */
+  int (*execute)(PlinianCall*, const char* line, const char** answers);
+  void (*answer)(PlinianCall*, const char* line);
+  void (*fail)(PlinianCall*, const char* message);
+  const char* (*error)(PlinianCall*);
+} PlinianCommandContext;
+
+typedef struct PlinianCommand {
+  size_t size;
+  const char* name;
+  const char* help;
+  const PlinianArgument* parameters;
+  size_t parameter_count;
+  const PlinianArgument* flags;
+  size_t flag_count;
+  void* user;
+  void (*run)(void* user, const PlinianCommandContext*, PlinianCall*);
+} PlinianCommand;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,132 @@
+// Node types through plain C.
+#include "host/sdk/node_type_table.h"
+
+#include "host/graph/files/attribute_declaration.h"
+#include "host/graph/graph_error.h"
+#include "host/graph/values/value_text.h"
+#include "host/sdk/compute_table.h"
+#include "host/sdk/plain_text.h"
+
+namespace plinian::sdk {
+
+using graph::AttributeSpec;
+using graph::GraphError;
+
+namespace {
+
+AttributeSpec attribute_from(const PlinianAttribute& from) {
+  const auto number = [](const double* value) { return value ? std::optional(*value) : std::nullopt; };
+  AttributeSpec spec;
+  spec.name = text_of(from.name);
+  spec.type = graph::type_of_name(text_of(from.type));
+  spec.nice_name = text_of(from.nice_name);
+  spec.help = text_of(from.help);
+  spec.unit = text_of(from.unit);
+  spec.layout.group = text_of(from.group);
+  spec.layout.widget = text_of(from.widget);
+  const std::string shown_when = text_of(from.shown_when);
+  const std::size_t equals = shown_when.find('=');
+  spec.layout.shown_when = shown_when.substr(0, equals);
+  if (equals != shown_when.npos)
+    spec.layout.shown_words = words_of(shown_when.substr(equals + 1).c_str(), ',');
+  spec.step = from.step;
+  if (from.choices) spec.choices = graph::read_choices(from.choices);
+  spec.data_type = text_of(from.data_type);
+  spec.affects = words_of(from.affects);
+  spec.minimum = number(from.minimum);
+  spec.maximum = number(from.maximum);
+  spec.soft_minimum = number(from.soft_minimum);
+  spec.soft_maximum = number(from.soft_maximum);
+  spec.array = from.flags & PLINIAN_ATTRIBUTE_ARRAY;
+  spec.output = from.flags & PLINIAN_ATTRIBUTE_OUTPUT;
+  spec.hidden = from.flags & PLINIAN_ATTRIBUTE_HIDDEN;
+  spec.read_only = from.flags & PLINIAN_ATTRIBUTE_READ_ONLY;
+  spec.keyable = !(from.flags & PLINIAN_ATTRIBUTE_NOT_KEYABLE);
+  spec.storable = !(from.flags & PLINIAN_ATTRIBUTE_NOT_STORABLE);
+  spec.connectable = !(from.flags & PLINIAN_ATTRIBUTE_NOT_CONNECTABLE);
+  if (from.default_value) {
+    const bool text = spec.type == graph::AttributeType::string || spec.type == graph::AttributeType::path;
+    const std::vector<graph::Word> words =
+        text ? std::vector<graph::Word>{{from.default_value, true}} : graph::split_words(from.default_value);
+    try {
+      spec.default_value = graph::read_value(spec, words);
+    } catch (const GraphError& error) {
+      throw GraphError("attribute '" + spec.name + "': its default " + error.what());
+    }
+  }
+  for (const PlinianAttribute& child : all_of(from.children, from.child_count))
+    spec.children.push_back(attribute_from(child));
+  return spec;
+}
+
+struct MigrationState {
+  graph::StoredAttributes& attributes;
+  std::string text;
+  graph::StoredAttribute* find(const char* path) {
+    for (graph::StoredAttribute& attribute : attributes)
+      if (attribute.path == text_of(path)) return &attribute;
+    return nullptr;
+  }
+};
+
+MigrationState& state_of(PlinianMigration* migration) {
+  return *reinterpret_cast<MigrationState*>(migration);
+}
+
+const PlinianMigrate migrate_table = {
+    sizeof(PlinianMigrate),
+    [](PlinianMigration* m, const char* path) -> const char* {
+      const graph::StoredAttribute* found = state_of(m).find(path);
+      if (!found) return nullptr;
+      state_of(m).text = found->text;
+      return state_of(m).text.c_str();
+    },
+    [](PlinianMigration* m, const char* path, const char* text) {
+      if (graph::StoredAttribute* found = state_of(m).find(path))
+        found->text = text_of(text);
+      else
+        state_of(m).attributes.push_back({text_of(path), text_of(text)});
+    },
+    [](PlinianMigration* m, const char* path) {
+      std::erase_if(state_of(m).attributes,
+                    [&](const graph::StoredAttribute& attribute) { return attribute.path == text_of(path); });
+    }};
+
+}  // namespace
+
+graph::NodeTypeSpec node_type_from(const PlinianNodeType* plain, const std::shared_ptr<DataCount>& data) {
+  const PlinianNodeType from = whole(plain);
+  graph::NodeTypeSpec spec;
+  spec.name = text_of(from.name);
+  spec.help = text_of(from.help);
+  spec.version = from.version;
+  spec.concurrent = !(from.flags & PLINIAN_NODE_NOT_CONCURRENT);
+  spec.hierarchical = from.flags & PLINIAN_NODE_HIERARCHICAL;
+  spec.holds_children = from.flags & PLINIAN_NODE_HOLDS_CHILDREN;
+  spec.follows = from.flags & PLINIAN_NODE_FOLLOWS;
+  spec.time_source = from.flags & PLINIAN_NODE_TIME_SOURCE;
+  for (const PlinianAttribute& attribute : all_of(from.attributes, from.attribute_count))
+    spec.attributes.push_back(attribute_from(attribute));
+  for (const std::string& alias : words_of(from.aliases)) {
+    const std::size_t equals = alias.find('=');
+    if (equals == alias.npos) throw GraphError("node type '" + spec.name + "': an alias is written old=new");
+    spec.aliases.push_back({alias.substr(0, equals), alias.substr(equals + 1)});
+  }
+  if (from.compute)
+    spec.compute = [compute = from.compute, user = from.user, data](graph::ComputeContext& context,
+                                                                    graph::AttributeIndex output) {
+      ComputeState state(context, data);
+      compute(user, &compute_table, state.plain(), output);
+      if (!state.failure.empty()) throw GraphError(state.failure);
+    };
+  if (from.migrate)
+    for (int version = 1; version < spec.version; ++version)
+      spec.migrators.push_back(
+          {version, [migrate = from.migrate, user = from.user, version](graph::StoredAttributes& attributes) {
+             MigrationState state{attributes, ""};
+             migrate(user, version, &migrate_table, reinterpret_cast<PlinianMigration*>(&state));
+           }});
+  return spec;
+}
+
+}  // namespace plinian::sdk

@@ -1,0 +1,85 @@
+// Commands in C++.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "host/sdk/abi.h"
+#include "host/sdk/plugin/support.h"
+
+namespace plinian {
+namespace sdk __attribute__((visibility("hidden"))) {
+
+  /// A running command. Throws Error where another command that it runs fails.
+  class Call {
+   public:
+    Call(const PlinianCommandContext& table, PlinianCall* call) : table_(table), call_(call) {}
+    bool given(const std::string& argument) const { return table_.given(call_, argument.c_str()) != 0; }
+    std::vector<std::string> words(const std::string& argument) const {
+      std::vector<std::string> result;
+      for (std::size_t i = 0; i < table_.word_count(call_, argument.c_str()); ++i)
+        result.push_back(table_.word(call_, argument.c_str(), i));
+      return result;
+    }
+    /// Runs another command as a part of this one; returns what it answers.
+    std::string execute(const std::string& line) {
+      const char* answers = "";
+      if (!table_.execute(call_, line.c_str(), &answers)) throw Error(table_.error(call_));
+      return answers;
+    }
+    void answer(const std::string& line) { table_.answer(call_, line.c_str()); }
+
+   private:
+    const PlinianCommandContext& table_;
+    PlinianCall* call_;
+  };
+
+  struct Argument {
+    std::string name, kind = "text", help;
+    bool optional = false, many = false;
+  };
+
+  struct Command {
+    std::string name, help;
+    std::vector<Argument> parameters, flags;  // a flag of kind "" takes no word
+    std::function<void(Call&)> run;
+  };
+
+  namespace detail {
+
+  inline std::vector<PlinianArgument> plain(const std::vector<Argument>& arguments) {
+    std::vector<PlinianArgument> result;
+    for (const Argument& a : arguments)
+      result.push_back(
+          {sizeof(PlinianArgument), a.name.c_str(), a.kind.c_str(), a.help.c_str(), a.optional, a.many});
+    return result;
+  }
+
+  // command: stays where it is until the plug-in is uninitialised.
+  inline int register_command(const PlinianHost& host, Command& command) {
+    const auto parameters = plain(command.parameters), flags = plain(command.flags);
+    PlinianCommand plain{};
+    plain.size = sizeof(PlinianCommand);
+    plain.name = command.name.c_str();
+    plain.help = command.help.c_str();
+    plain.parameters = parameters.data();
+    plain.parameter_count = parameters.size();
+    plain.flags = flags.data();
+    plain.flag_count = flags.size();
+    plain.user = &command;
+    plain.run = [](void* user, const PlinianCommandContext* table, PlinianCall* call) {
+      guarded(
+          [&] {
+            Call wrapped(*table, call);
+            static_cast<Command*>(user)->run(wrapped);
+          },
+          [&](const char* message) { table->fail(call, message); });
+    };
+    return host.register_command(host.self, &plain);
+  }
+
+  }  // namespace detail
+
+}  // namespace )
+}  // namespace plinian

@@ -1,0 +1,280 @@
+// Node types in C++: attributes, the context of a compute function, migration.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "host/sdk/abi.h"
+#include "host/sdk/plugin/support.h"
+
+namespace plinian {
+namespace sdk __attribute__((visibility("hidden"))) {
+
+  /// An attribute of the node type that declared it.
+  struct Attribute {
+    std::int32_t index = -1;
+    bool operator==(const Attribute& other) const { return index == other.index; }
+  };
+
+  /// As the host's own declaration of an attribute. Types and defaults are spelled as in scene files.
+  struct AttributeSpec {
+    std::string name, type = "float", default_value, nice_name, help, unit, group, choices, data_type,
+                      affects;
+    std::optional<double> minimum, maximum, soft_minimum, soft_maximum;
+    bool array = false, output = false, hidden = false, read_only = false;
+    bool keyable = true, storable = true, connectable = true;
+    std::vector<AttributeSpec> children;
+    std::string widget, shown_when;  // "slider"; "mode=low,high": shown while the attribute reads so
+    double step = 0.0;               // of the slider; 0: smooth
+  };
+
+  /// What a compute function sees of the world. Throws Error where an input failed or is of another type.
+  class Context {
+   public:
+    Context(const PlinianCompute& table, PlinianContext* context) : table_(table), context_(context) {}
+
+    double number(Attribute a, std::int32_t element = -1) const { return read_number(a, element, nullptr); }
+    std::array<float, 4> vector(Attribute a, std::int32_t element = -1) const {
+      return read_vector(a, element, nullptr);
+    }
+    std::array<double, 16> matrix(Attribute a, std::int32_t element = -1) const {
+      return read_matrix(a, element, nullptr);
+    }
+    std::string text(Attribute a, std::int32_t element = -1) const { return read_text(a, element, nullptr); }
+    /// Null where there are none yet; good until the function returns.
+    const void* data(Attribute a, std::int32_t element = -1) const { return read_data(a, element, nullptr); }
+
+    /// As they are at another time [frames]. What is read so must affect the output like any input.
+    double number_at(double time, Attribute a, std::int32_t element = -1) const {
+      return read_number(a, element, &time);
+    }
+    std::array<float, 4> vector_at(double time, Attribute a, std::int32_t element = -1) const {
+      return read_vector(a, element, &time);
+    }
+    std::array<double, 16> matrix_at(double time, Attribute a, std::int32_t element = -1) const {
+      return read_matrix(a, element, &time);
+    }
+    std::string text_at(double time, Attribute a, std::int32_t element = -1) const {
+      return read_text(a, element, &time);
+    }
+    const void* data_at(double time, Attribute a, std::int32_t element = -1) const {
+      return read_data(a, element, &time);
+    }
+
+    std::vector<std::int32_t> elements(Attribute array) const {
+      const std::int32_t* found = nullptr;
+      const std::size_t count = table_.elements(context_, array.index, &found);
+      return std::vector<std::int32_t>(found, found + count);
+    }
+
+    void set(Attribute a, double value) { check(table_.write_number(context_, a.index, value)); }
+    void set(Attribute a, std::initializer_list<float> value) {
+      check(table_.write_vector(context_, a.index, value.begin(), std::int32_t(value.size())));
+    }
+    void set(Attribute a, const std::array<double, 16>& matrix) {
+      check(table_.write_matrix(context_, a.index, matrix.data()));
+    }
+    void set(Attribute a, const std::string& text) {
+      check(table_.write_text(context_, a.index, text.c_str()));
+    }
+    /// Hands an object on. bytes: that it holds; content: as in PlinianData.
+    template <class T>
+    void set_data(Attribute a, const char* type, std::unique_ptr<const T> object, std::size_t bytes,
+                  std::uint64_t content = 0) {
+      const PlinianData data{sizeof(PlinianData), type, object.release(), bytes, content, [](const void* p) {
+                               delete static_cast<const T*>(p);
+                             }};
+      check(table_.write_data(context_, a.index, &data));
+    }
+
+    /// The current frame; for time sources alone.
+    double time() const {
+      double frames = 0.0;
+      check(table_.time(context_, &frames));
+      return frames;
+    }
+    bool cancelled() const { return table_.cancelled(context_) != 0; }
+    void progress(double fraction, const std::string& what) {
+      table_.progress(context_, fraction, what.c_str());
+    }
+
+   private:
+    double read_number(Attribute a, std::int32_t element, const double* time) const {
+      double value = 0.0;
+      check(table_.read_number(context_, a.index, element, time, &value));
+      return value;
+    }
+    std::array<float, 4> read_vector(Attribute a, std::int32_t element, const double* time) const {
+      std::array<float, 4> value{};
+      check(table_.read_vector(context_, a.index, element, time, value.data()));
+      return value;
+    }
+    std::array<double, 16> read_matrix(Attribute a, std::int32_t element, const double* time) const {
+      std::array<double, 16> value{};
+      check(table_.read_matrix(context_, a.index, element, time, value.data()));
+      return value;
+    }
+    std::string read_text(Attribute a, std::int32_t element, const double* time) const {
+      const char* value = "";
+      check(table_.read_text(context_, a.index, element, time, &value));
+      return value;
+    }
+    const void* read_data(Attribute a, std::int32_t element, const double* time) const {
+      const void* value = nullptr;
+      check(table_.read_data(context_, a.index, element, time, &value));
+      return value;
+    }
+    void check(int success) const {
+      if (!success) throw Error(table_.error(context_));
+    }
+
+    const PlinianCompute& table_;
+    PlinianContext* context_;
+  };
+
+  /// The attributes of a node in an older scene, by their paths, as texts.
+  class Migration {
+   public:
+    Migration(const PlinianMigrate& table, PlinianMigration* migration)
+        : table_(table), migration_(migration) {}
+    std::optional<std::string> text(const std::string& path) const {
+      const char* found = table_.text(migration_, path.c_str());
+      return found ? std::optional<std::string>(found) : std::nullopt;
+    }
+    void set(const std::string& path, const std::string& text) {
+      table_.set(migration_, path.c_str(), text.c_str());
+    }
+    void remove(const std::string& path) { table_.remove(migration_, path.c_str()); }
+
+   private:
+    const PlinianMigrate& table_;
+    PlinianMigration* migration_;
+  };
+
+  struct NodeType {
+    explicit NodeType(std::string type_name, int type_version = 1)
+        : name(std::move(type_name)), version(type_version) {}
+
+    /// The attribute's number; those of its children follow it.
+    Attribute add(AttributeSpec spec) {
+      const Attribute attribute{count_};
+      count_ += size_of(spec);
+      attributes.push_back(std::move(spec));
+      return attribute;
+    }
+    /// The child of a compound that was added.
+    static Attribute child(Attribute compound, const AttributeSpec& spec, const std::string& name) {
+      std::int32_t index = compound.index + 1;
+      for (const AttributeSpec& child : spec.children) {
+        if (child.name == name) return {index};
+        index += size_of(child);
+      }
+      throw Error("there is no child '" + name + "'");
+    }
+
+    std::string name, help, aliases;  // aliases: "old=new older=new"
+    int version = 1;
+    bool concurrent = true, hierarchical = false, holds_children = false, follows = false;
+    bool time_source = false;  // its compute function may ask for the time
+    std::vector<AttributeSpec> attributes;
+    std::function<void(Context&, Attribute output)> compute;
+    /// From version `from` to the next one.
+    std::function<void(int from, Migration&)> migrate;
+
+   private:
+    static std::int32_t size_of(const AttributeSpec& spec) {
+      std::int32_t count = 1;
+      for (const AttributeSpec& child : spec.children) count += size_of(child);
+      return count;
+    }
+    std::int32_t count_ = 0;
+  };
+
+  namespace detail {
+
+  // The C form of attributes; children live in `store`.
+  inline PlinianAttribute plain(const AttributeSpec& spec, std::deque<std::vector<PlinianAttribute>>& store) {
+    std::vector<PlinianAttribute> children;
+    for (const AttributeSpec& child : spec.children) children.push_back(plain(child, store));
+    store.push_back(std::move(children));
+    PlinianAttribute result{};
+    result.size = sizeof(PlinianAttribute);
+    result.name = spec.name.c_str();
+    result.type = spec.type.c_str();
+    result.default_value = text_or_null(spec.default_value);
+    result.nice_name = text_or_null(spec.nice_name);
+    result.help = text_or_null(spec.help);
+    result.unit = text_or_null(spec.unit);
+    result.group = text_or_null(spec.group);
+    result.choices = text_or_null(spec.choices);
+    result.data_type = text_or_null(spec.data_type);
+    result.affects = text_or_null(spec.affects);
+    result.minimum = number_or_null(spec.minimum);
+    result.maximum = number_or_null(spec.maximum);
+    result.soft_minimum = number_or_null(spec.soft_minimum);
+    result.soft_maximum = number_or_null(spec.soft_maximum);
+    result.flags =
+        (spec.array ? PLINIAN_ATTRIBUTE_ARRAY : 0u) | (spec.output ? PLINIAN_ATTRIBUTE_OUTPUT : 0u) |
+        (spec.hidden ? PLINIAN_ATTRIBUTE_HIDDEN : 0u) | (spec.read_only ? PLINIAN_ATTRIBUTE_READ_ONLY : 0u) |
+        (spec.keyable ? 0u : PLINIAN_ATTRIBUTE_NOT_KEYABLE) |
+        (spec.storable ? 0u : PLINIAN_ATTRIBUTE_NOT_STORABLE) |
+        (spec.connectable ? 0u : PLINIAN_ATTRIBUTE_NOT_CONNECTABLE);
+    result.widget = text_or_null(spec.widget);
+    result.shown_when = text_or_null(spec.shown_when);
+    result.step = spec.step;
+    result.children = store.back().data();
+    result.child_count = store.back().size();
+    return result;
+  }
+
+  // type: stays where it is until the plug-in is uninitialised.
+  inline int register_type(const PlinianHost& host, NodeType& type) {
+    std::deque<std::vector<PlinianAttribute>> store;
+    std::vector<PlinianAttribute> attributes;
+    for (const AttributeSpec& spec : type.attributes) attributes.push_back(plain(spec, store));
+    PlinianNodeType plain{};
+    plain.size = sizeof(PlinianNodeType);
+    plain.name = type.name.c_str();
+    plain.help = type.help.c_str();
+    plain.version = type.version;
+    plain.flags = (type.concurrent ? 0u : PLINIAN_NODE_NOT_CONCURRENT) |
+                  (type.hierarchical ? PLINIAN_NODE_HIERARCHICAL : 0u) |
+                  (type.holds_children ? PLINIAN_NODE_HOLDS_CHILDREN : 0u) |
+                  (type.follows ? PLINIAN_NODE_FOLLOWS : 0u) |
+                  (type.time_source ? PLINIAN_NODE_TIME_SOURCE : 0u);
+    plain.attributes = attributes.data();
+    plain.attribute_count = attributes.size();
+    plain.aliases = text_or_null(type.aliases);
+    plain.user = &type;
+    if (type.compute)
+      plain.compute = [](void* user, const PlinianCompute* table, PlinianContext* context,
+                         std::int32_t output) {
+        guarded(
+            [&] {
+              Context wrapped(*table, context);
+              static_cast<NodeType*>(user)->compute(wrapped, Attribute{output});
+            },
+            [&](const char* message) { table->fail(context, message); });
+      };
+    if (type.migrate)
+      plain.migrate = [](void* user, std::int32_t from, const PlinianMigrate* table,
+                         PlinianMigration* migration) {
+        guarded(
+            [&] {
+              Migration wrapped(*table, migration);
+              static_cast<NodeType*>(user)->migrate(from, wrapped);
+            },
+            [](const char*) {});
+      };
+    return host.register_node_type(host.self, &plain);
+  }
+
+  }  // namespace detail
+
+}  // namespace )
+}  // namespace plinian
