@@ -13,6 +13,7 @@
 
 #include "host/sdk/abi/command.h"
 #include "host/sdk/abi/node.h"
+#include "host/sdk/abi/scene.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -4,6 +4,7 @@
 #include "host/graph/graph_error.h"
 #include "host/graph/model/conversion.h"
 #include "host/sdk/plain_text.h"
+#include "host/sdk/volume_table.h"
 
 namespace plinian::sdk {
 
@@ -11,13 +12,13 @@ using graph::DataPtr;
 using graph::GraphError;
 using graph::Value;
 
-namespace {
-
 const Value& input_of(ComputeState& state, std::int32_t attribute, std::int32_t element, const double* time) {
   if (!time) return state.context.input(attribute, element);
   state.held.push_front(state.context.input_at(*time, attribute, element));
   return state.held.front();
 }
+
+namespace {
 
 int read_number(PlinianContext* c, std::int32_t attribute, std::int32_t element, const double* time,
                 double* value) {
@@ -106,6 +107,8 @@ int write_data(PlinianContext* c, std::int32_t attribute, const PlinianData* pla
   };
   const std::shared_ptr<const void> object(from.object, release);
   return guarded(c, [&](ComputeState& s) {
+    if (text_of(from.type).starts_with("plinian."))
+      throw GraphError("data of the type " + text_of(from.type) + " are the program's own");
     s.context.set_output(attribute, std::make_shared<const graph::Data>(
                                         graph::Data{text_of(from.type), object, from.bytes, from.content}));
   });
@@ -131,6 +134,15 @@ int time(PlinianContext* c, double* frames) {
   return guarded(c, [&](ComputeState& s) { *frames = s.context.time(); });
 }
 
+int sample_ramp(PlinianContext* c, std::int32_t attribute, std::int32_t element, const double* time,
+                float position, float* value) {
+  return guarded(c, [&](ComputeState& s) {
+    const vec3 found = graph::evaluate(
+        *std::get<graph::Boxed<graph::Ramp>>(input_of(s, attribute, element, time)), position);
+    for (int i = 0; i < 3; ++i) value[i] = found[i];
+  });
+}
+
 }  // namespace
 
 const PlinianCompute compute_table = {sizeof(PlinianCompute),
@@ -149,6 +161,12 @@ const PlinianCompute compute_table = {sizeof(PlinianCompute),
                                       progress,
                                       fail,
                                       last_error,
-                                      time};
+                                      time,
+                                      sample_ramp,
+                                      volumes::read,
+                                      volumes::make,
+                                      volumes::write,
+                                      volumes::info,
+                                      volumes::read_voxels};
 
 }  // namespace plinian::sdk

@@ -19,6 +19,7 @@ struct ComputeState {
   std::shared_ptr<DataCount> data;
   std::string error, failure;
   std::forward_list<graph::Value> held;  // texts and data whose addresses were handed out
+  std::vector<graph::DataPtr> volumes;   // likewise
   std::vector<std::int32_t> elements;
 
   ComputeState(graph::ComputeContext& of, std::shared_ptr<DataCount> count)
@@ -43,6 +44,10 @@ int guarded(PlinianContext* context, const Action& action) {
   }
   return 0;
 }
+
+/// The value of an input at the present (time: null) or at another frame; good for as long as the state.
+const graph::Value& input_of(ComputeState& state, std::int32_t attribute, std::int32_t element,
+                             const double* time);
 
 extern const PlinianCompute compute_table;
 

@@ -5,6 +5,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "host/sdk/abi/scene.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -39,6 +41,7 @@ typedef struct PlinianAttribute {
 #define PLINIAN_ATTRIBUTE_NOT_KEYABLE 16u
 #define PLINIAN_ATTRIBUTE_NOT_STORABLE 32u
 #define PLINIAN_ATTRIBUTE_NOT_CONNECTABLE 64u
+#define PLINIAN_ATTRIBUTE_NOT_OF_PICTURE 128u /* of a shape: does not affect its contribution (since 1.1) */
 
 /* Opaque data that a node hands on. `release` is called once nobody holds it, on any thread. */
 typedef struct PlinianData {
@@ -80,6 +83,18 @@ typedef struct PlinianCompute {
   const char* (*error)(PlinianContext*); /* of the last call that failed */
   /* Since 1.1. The current frame, for time sources alone: others are driven by one. */
   int (*time)(PlinianContext*, double* frames);
+  /* A ramp at a position. */
+  int (*sample_ramp)(PlinianContext*, int32_t attribute, int32_t element, const double* time, float position,
+                     float value[3]);
+  /* Volumes; null where there is none yet. */
+  int (*read_volume)(PlinianContext*, int32_t attribute, int32_t element, const double* time,
+                     const PlinianVolume** volume);
+  int (*make_volume)(PlinianContext*, const PlinianVolumeSource*, const PlinianVolume** volume);
+  int (*write_volume)(PlinianContext*, int32_t attribute, const PlinianVolume* volume);
+  int (*volume_info)(PlinianContext*, const PlinianVolume*, PlinianVolumeInfo*);
+  /* The voxels of a box, x fastest; temperature may be null. */
+  int (*read_voxels)(PlinianContext*, const PlinianVolume*, const int32_t first[3], const int32_t count[3],
+                     float* density, float* temperature);
 } PlinianCompute;
 
 /* The attributes of one node in an older scene. */
@@ -104,6 +119,11 @@ typedef struct PlinianNodeType {
   void (*compute)(void* user, const PlinianCompute*, PlinianContext*, int32_t output); /* null: no outputs */
   void (*migrate)(void* user, int32_t from, const PlinianMigrate*,
                   PlinianMigration*); /* null: nothing to migrate */
+  /* Since 1.1. A shape: the host gives the type a hidden output `contribution`, computed by this function
+   * when a picture is wanted and an input has changed that is of the picture. It implies
+   * PLINIAN_NODE_HIERARCHICAL; null: no shape. */
+  void (*contribute)(void* user, const PlinianCompute*, PlinianContext*, const PlinianContribute*,
+                     PlinianContribution*);
 } PlinianNodeType;
 
 #define PLINIAN_NODE_NOT_CONCURRENT 1u /* compute may not run on several threads at a time */

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -10,16 +9,11 @@
 #include <vector>
 
 #include "host/sdk/abi.h"
-#include "host/sdk/plugin/support.h"
+#include "host/sdk/plugin/context.h"
+#include "host/sdk/plugin/scene.h"
 
 namespace plinian {
 namespace sdk __attribute__((visibility("hidden"))) {
-
-  /// An attribute of the node type that declared it.
-  struct Attribute {
-    std::int32_t index = -1;
-    bool operator==(const Attribute& other) const { return index == other.index; }
-  };
 
   /// As the host's own declaration of an attribute. Types and defaults are spelled as in scene files.
   struct AttributeSpec {
@@ -28,113 +22,10 @@ namespace sdk __attribute__((visibility("hidden"))) {
     std::optional<double> minimum, maximum, soft_minimum, soft_maximum;
     bool array = false, output = false, hidden = false, read_only = false;
     bool keyable = true, storable = true, connectable = true;
+    bool of_picture = true;  // of a shape: affects its contribution
     std::vector<AttributeSpec> children;
     std::string widget, shown_when;  // "slider"; "mode=low,high": shown while the attribute reads so
     double step = 0.0;               // of the slider; 0: smooth
-  };
-
-  /// What a compute function sees of the world. Throws Error where an input failed or is of another type.
-  class Context {
-   public:
-    Context(const PlinianCompute& table, PlinianContext* context) : table_(table), context_(context) {}
-
-    double number(Attribute a, std::int32_t element = -1) const { return read_number(a, element, nullptr); }
-    std::array<float, 4> vector(Attribute a, std::int32_t element = -1) const {
-      return read_vector(a, element, nullptr);
-    }
-    std::array<double, 16> matrix(Attribute a, std::int32_t element = -1) const {
-      return read_matrix(a, element, nullptr);
-    }
-    std::string text(Attribute a, std::int32_t element = -1) const { return read_text(a, element, nullptr); }
-    /// Null where there are none yet; good until the function returns.
-    const void* data(Attribute a, std::int32_t element = -1) const { return read_data(a, element, nullptr); }
-
-    /// As they are at another time [frames]. What is read so must affect the output like any input.
-    double number_at(double time, Attribute a, std::int32_t element = -1) const {
-      return read_number(a, element, &time);
-    }
-    std::array<float, 4> vector_at(double time, Attribute a, std::int32_t element = -1) const {
-      return read_vector(a, element, &time);
-    }
-    std::array<double, 16> matrix_at(double time, Attribute a, std::int32_t element = -1) const {
-      return read_matrix(a, element, &time);
-    }
-    std::string text_at(double time, Attribute a, std::int32_t element = -1) const {
-      return read_text(a, element, &time);
-    }
-    const void* data_at(double time, Attribute a, std::int32_t element = -1) const {
-      return read_data(a, element, &time);
-    }
-
-    std::vector<std::int32_t> elements(Attribute array) const {
-      const std::int32_t* found = nullptr;
-      const std::size_t count = table_.elements(context_, array.index, &found);
-      return std::vector<std::int32_t>(found, found + count);
-    }
-
-    void set(Attribute a, double value) { check(table_.write_number(context_, a.index, value)); }
-    void set(Attribute a, std::initializer_list<float> value) {
-      check(table_.write_vector(context_, a.index, value.begin(), std::int32_t(value.size())));
-    }
-    void set(Attribute a, const std::array<double, 16>& matrix) {
-      check(table_.write_matrix(context_, a.index, matrix.data()));
-    }
-    void set(Attribute a, const std::string& text) {
-      check(table_.write_text(context_, a.index, text.c_str()));
-    }
-    /// Hands an object on. bytes: that it holds; content: as in PlinianData.
-    template <class T>
-    void set_data(Attribute a, const char* type, std::unique_ptr<const T> object, std::size_t bytes,
-                  std::uint64_t content = 0) {
-      const PlinianData data{sizeof(PlinianData), type, object.release(), bytes, content, [](const void* p) {
-                               delete static_cast<const T*>(p);
-                             }};
-      check(table_.write_data(context_, a.index, &data));
-    }
-
-    /// The current frame; for time sources alone.
-    double time() const {
-      double frames = 0.0;
-      check(table_.time(context_, &frames));
-      return frames;
-    }
-    bool cancelled() const { return table_.cancelled(context_) != 0; }
-    void progress(double fraction, const std::string& what) {
-      table_.progress(context_, fraction, what.c_str());
-    }
-
-   private:
-    double read_number(Attribute a, std::int32_t element, const double* time) const {
-      double value = 0.0;
-      check(table_.read_number(context_, a.index, element, time, &value));
-      return value;
-    }
-    std::array<float, 4> read_vector(Attribute a, std::int32_t element, const double* time) const {
-      std::array<float, 4> value{};
-      check(table_.read_vector(context_, a.index, element, time, value.data()));
-      return value;
-    }
-    std::array<double, 16> read_matrix(Attribute a, std::int32_t element, const double* time) const {
-      std::array<double, 16> value{};
-      check(table_.read_matrix(context_, a.index, element, time, value.data()));
-      return value;
-    }
-    std::string read_text(Attribute a, std::int32_t element, const double* time) const {
-      const char* value = "";
-      check(table_.read_text(context_, a.index, element, time, &value));
-      return value;
-    }
-    const void* read_data(Attribute a, std::int32_t element, const double* time) const {
-      const void* value = nullptr;
-      check(table_.read_data(context_, a.index, element, time, &value));
-      return value;
-    }
-    void check(int success) const {
-      if (!success) throw Error(table_.error(context_));
-    }
-
-    const PlinianCompute& table_;
-    PlinianContext* context_;
   };
 
   /// The attributes of a node in an older scene, by their paths, as texts.
@@ -183,6 +74,9 @@ namespace sdk __attribute__((visibility("hidden"))) {
     bool time_source = false;  // its compute function may ask for the time
     std::vector<AttributeSpec> attributes;
     std::function<void(Context&, Attribute output)> compute;
+    /// Makes the type a shape: adds what the node shows in every picture. All inputs affect it, but those
+    /// declared otherwise (of_picture).
+    std::function<void(Context&, Contribution&)> contribute;
     /// From version `from` to the next one.
     std::function<void(int from, Migration&)> migrate;
 
@@ -223,7 +117,8 @@ namespace sdk __attribute__((visibility("hidden"))) {
         (spec.hidden ? PLINIAN_ATTRIBUTE_HIDDEN : 0u) | (spec.read_only ? PLINIAN_ATTRIBUTE_READ_ONLY : 0u) |
         (spec.keyable ? 0u : PLINIAN_ATTRIBUTE_NOT_KEYABLE) |
         (spec.storable ? 0u : PLINIAN_ATTRIBUTE_NOT_STORABLE) |
-        (spec.connectable ? 0u : PLINIAN_ATTRIBUTE_NOT_CONNECTABLE);
+        (spec.connectable ? 0u : PLINIAN_ATTRIBUTE_NOT_CONNECTABLE) |
+        (spec.of_picture ? 0u : PLINIAN_ATTRIBUTE_NOT_OF_PICTURE);
     result.widget = text_or_null(spec.widget);
     result.shown_when = text_or_null(spec.shown_when);
     result.step = spec.step;
@@ -258,6 +153,17 @@ namespace sdk __attribute__((visibility("hidden"))) {
             [&] {
               Context wrapped(*table, context);
               static_cast<NodeType*>(user)->compute(wrapped, Attribute{output});
+            },
+            [&](const char* message) { table->fail(context, message); });
+      };
+    if (type.contribute)
+      plain.contribute = [](void* user, const PlinianCompute* table, PlinianContext* context,
+                            const PlinianContribute* contribute, PlinianContribution* contribution) {
+        guarded(
+            [&] {
+              Context wrapped(*table, context);
+              Contribution out(*contribute, contribution, wrapped);
+              static_cast<NodeType*>(user)->contribute(wrapped, out);
             },
             [&](const char* message) { table->fail(context, message); });
       };
