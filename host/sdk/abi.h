@@ -12,6 +12,8 @@
 #define PLINIAN_SDK_ABI_H
 
 #include "host/sdk/abi/command.h"
+#include "host/sdk/abi/data_type.h"
+#include "host/sdk/abi/event.h"
 #include "host/sdk/abi/node.h"
 #include "host/sdk/abi/scene.h"
 
@@ -30,6 +32,17 @@ typedef struct PlinianHost {
   int (*register_node_type)(void* self, const PlinianNodeType*);
   int (*register_command)(void* self, const PlinianCommand*);
   void (*fail)(void* self, const char* message);
+  /* Since 1.1. */
+  int (*register_data_type)(void* self, const PlinianDataType*);
+  int (*register_file_type)(void* self, const PlinianFileType*);
+  int (*register_menu_entry)(void* self, const PlinianMenuEntry*);
+  /* Calls the callback on every event of a kind until it is unsubscribed. Returns a number for that; 0 where
+   * there is no such kind. On the thread that initialises. */
+  uint64_t (*subscribe)(void* self, const char* kind, void* user, PlinianEventCallback);
+  void (*unsubscribe)(void* self, uint64_t subscription);
+  /* Runs a command line from an event callback, and from there alone. answers: lines, or null. */
+  int (*execute)(void* self, const char* line, const char** answers);
+  const char* (*error)(void* self); /* of the last one of these that failed */
 } PlinianHost;
 
 /* What a plug-in exports. The host's table is good until uninitialise returns. */

@@ -58,6 +58,14 @@ graph::ArgumentKind kind_from(const std::string& kind) {
   throw GraphError("unknown kind of argument " + graph::shown(kind));
 }
 
+template <class Run>
+graph::CommandResult called(graph::Session& session, const graph::Arguments& arguments, const Run& run) {
+  CallState state{session, arguments, {}, "", "", ""};
+  run(reinterpret_cast<PlinianCall*>(&state));
+  if (!state.failure.empty()) throw GraphError(state.failure);
+  return std::move(state.result);
+}
+
 }  // namespace
 
 graph::CommandSpec command_from(const PlinianCommand* plain) {
@@ -76,12 +84,41 @@ graph::CommandSpec command_from(const PlinianCommand* plain) {
         {text_of(a.name), text_of(a.help), kind.empty() ? std::nullopt : std::optional(kind_from(kind))});
   }
   spec.run = [run = from.run, user = from.user](graph::Session& session, const graph::Arguments& arguments) {
-    CallState state{session, arguments, {}, "", "", ""};
-    run(user, &command_table, reinterpret_cast<PlinianCall*>(&state));
-    if (!state.failure.empty()) throw GraphError(state.failure);
-    return std::move(state.result);
+    return called(session, arguments, [&](PlinianCall* call) { run(user, &command_table, call); });
   };
   return spec;
+}
+
+graph::FileType file_type_from(const PlinianFileType* plain) {
+  const PlinianFileType from = whole(plain);
+  graph::FileType type;
+  type.name = text_of(from.name);
+  type.help = text_of(from.help);
+  type.extensions = words_of(from.extensions);
+  if (type.name.empty()) throw GraphError("a file type needs a name");
+  if (!from.import_file && !from.export_file)
+    throw GraphError("the file type '" + type.name + "' is neither read nor written");
+  const auto bound = [user = from.user](auto function) {
+    return [=](graph::Session& session, const graph::Arguments& arguments) {
+      const std::string path = arguments.text("file");
+      return called(session, arguments,
+                    [&](PlinianCall* call) { function(user, &command_table, call, path.c_str()); });
+    };
+  };
+  if (from.import_file) type.import_file = bound(from.import_file);
+  if (from.export_file) type.export_file = bound(from.export_file);
+  return type;
+}
+
+MenuItem menu_entry_from(const PlinianMenuEntry* plain) {
+  const PlinianMenuEntry from = whole(plain);
+  MenuItem entry{text_of(from.path), text_of(from.command), text_of(from.help), ""};
+  const std::string framed = "/" + entry.path + "/";
+  if (entry.path.find('/') == entry.path.npos || framed.find("//") != framed.npos)
+    throw GraphError("a menu entry is named MENU/ENTRY, not " + graph::shown(entry.path));
+  if (graph::split_words(entry.command).empty())
+    throw GraphError("the menu entry '" + entry.path + "' does nothing");
+  return entry;
 }
 
 }  // namespace plinian::sdk

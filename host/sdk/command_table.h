@@ -1,12 +1,19 @@
 // Commands that plug-ins declare, as the graph's own declarations.
 #pragma once
 
-#include "host/graph/commands/command.h"
+#include "host/graph/commands/file_types.h"
 #include "host/sdk/abi.h"
 
 namespace plinian::sdk {
 
 /// Throws GraphError where the declaration makes no sense.
 graph::CommandSpec command_from(const PlinianCommand* plain);
+graph::FileType file_type_from(const PlinianFileType* plain);
+
+struct MenuItem {
+  std::string path, command, help;
+  std::string plugin;  // who registers it
+};
+MenuItem menu_entry_from(const PlinianMenuEntry* plain);
 
 }  // namespace plinian::sdk

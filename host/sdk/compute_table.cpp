@@ -3,6 +3,7 @@
 
 #include "host/graph/graph_error.h"
 #include "host/graph/model/conversion.h"
+#include "host/sdk/data_type_table.h"
 #include "host/sdk/plain_text.h"
 #include "host/sdk/volume_table.h"
 
@@ -99,18 +100,11 @@ int write_text(PlinianContext* c, std::int32_t attribute, const char* value) {
 }
 
 int write_data(PlinianContext* c, std::int32_t attribute, const PlinianData* plain) {
-  const PlinianData from = whole(plain);
-  ++state_of(c).data->objects;
-  const auto release = [free = from.release, count = state_of(c).data](const void* object) {
-    if (free) free(object);
-    --count->objects;
-  };
-  const std::shared_ptr<const void> object(from.object, release);
+  const DataPtr data = data_from(plain, state_of(c).data);
   return guarded(c, [&](ComputeState& s) {
-    if (text_of(from.type).starts_with("plinian."))
-      throw GraphError("data of the type " + text_of(from.type) + " are the program's own");
-    s.context.set_output(attribute, std::make_shared<const graph::Data>(
-                                        graph::Data{text_of(from.type), object, from.bytes, from.content}));
+    if (data->type.starts_with("plinian."))
+      throw GraphError("data of the type " + data->type + " are the program's own");
+    s.context.set_output(attribute, data);
   });
 }
 

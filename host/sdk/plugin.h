@@ -19,6 +19,8 @@
 
 #include "host/sdk/abi.h"
 #include "host/sdk/plugin/command.h"
+#include "host/sdk/plugin/data_type.h"
+#include "host/sdk/plugin/event.h"
 #include "host/sdk/plugin/node.h"
 
 namespace plinian {
@@ -30,6 +32,10 @@ namespace sdk __attribute__((visibility("hidden"))) {
   struct Registered {
     std::deque<NodeType> types;
     std::deque<Command> commands;
+    std::deque<DataType> data_types;
+    std::deque<FileType> file_types;
+    std::shared_ptr<const bool> alive = std::make_shared<bool>(true);
+    std::deque<Subscription> subscriptions;
   };
 
   }  // namespace detail
@@ -46,6 +52,26 @@ namespace sdk __attribute__((visibility("hidden"))) {
     void add(Command command) {
       registered_.commands.push_back(std::move(command));
       check(detail::register_command(host_, registered_.commands.back()));
+    }
+
+    void add(DataType type) {
+      registered_.data_types.push_back(std::move(type));
+      check(detail::register_data_type(host_, registered_.data_types.back()));
+    }
+    void add(FileType type) {
+      registered_.file_types.push_back(std::move(type));
+      check(detail::register_file_type(host_, registered_.file_types.back()));
+    }
+    void add(const MenuEntry& entry) { check(detail::register_menu_entry(host_, entry)); }
+
+    /// Calls back on every event of a kind for as long as the plug-in is loaded. kind: as in PlinianEvent.
+    void on(const std::string& kind, std::function<void(const Event&)> callback) {
+      registered_.subscriptions.push_back(subscribe(kind, std::move(callback)));
+    }
+    /// ... or until the subscription is destroyed.
+    [[nodiscard]] Subscription subscribe(const std::string& kind,
+                                         std::function<void(const Event&)> callback) {
+      return Subscription(host_, registered_.alive, kind, std::move(callback));
     }
 
    private:

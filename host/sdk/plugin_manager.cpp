@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "core/scene/nearest_word.h"
+#include "host/graph/files/scene_writer.h"
 #include "host/graph/files/unknown_nodes.h"
 #include "host/graph/graph_error.h"
 
@@ -15,13 +16,15 @@ namespace fs = std::filesystem;
 using graph::GraphError;
 
 struct PluginManager::Library {
+  explicit Library(EventHub& events) : registrar(&events) {}
+
   PluginDescription description;
   std::string path;
   void* handle = nullptr;  // null: linked in
   PluginRegistrar registrar;
   void (*uninitialise)(const PlinianHost*) = nullptr;
   std::vector<graph::NodeTypePtr> types;
-  std::vector<std::string> commands;
+  std::vector<std::string> commands, data_types, file_types;
 };
 
 PluginManager::PluginManager(graph::Session& session, std::vector<fs::path> folders) : session_(session) {
@@ -51,6 +54,7 @@ PluginManager::PluginManager(graph::Session& session, std::vector<fs::path> fold
 
 PluginManager::~PluginManager() {
   session_.on_requires = nullptr;
+  graph::drop_unwritable_data(session_.editor());
   while (!libraries_.empty()) remove(*libraries_.begin()->second);
   for (const char* command : {"loadPlugin", "unloadPlugin", "pluginInfo"})
     session_.commands().remove(command);
@@ -74,13 +78,14 @@ std::string PluginManager::find(const std::string& name) const {
 }
 
 std::string PluginManager::load(const std::string& name_or_path) {
-  auto library = std::make_unique<Library>();
+  auto library = std::make_unique<Library>(events_);
   library->path = find(name_or_path);
   const auto refuse = [&](const std::string& why) -> GraphError {
     return GraphError(library->path + ": " + why);
   };
   library->description = read_description(library->path);
   const PluginDescription& description = library->description;
+  library->registrar.name = "the plug-in '" + description.name + "'";
   if (const std::string problem = abi_problem(description); !problem.empty()) throw refuse(problem);
   if (libraries_.contains(description.name))
     throw refuse("the plug-in '" + description.name + "' is loaded already, from " +
@@ -113,11 +118,12 @@ std::string PluginManager::load(const std::string& name_or_path) {
 }
 
 std::string PluginManager::add_linked(const PlinianLinkedPlugin& plugin) {
-  auto library = std::make_unique<Library>();
+  auto library = std::make_unique<Library>(events_);
   library->description = parse_description(plugin.description, "a plug-in of the program");
   library->path = "part of the program";
   if (libraries_.contains(library->description.name))
     throw GraphError("the plug-in '" + library->description.name + "' is loaded already");
+  library->registrar.name = "the plug-in '" + library->description.name + "'";
   library->uninitialise = plugin.uninitialise;
   start(*library, plugin.initialise);
   return adopt(std::move(library));
@@ -135,9 +141,9 @@ void PluginManager::start(Library& library, int (*initialise)(const PlinianHost*
     throw refuse("failed to initialise: it threw an exception");  // one that does not use plugin.h
   }
   const auto back_out = [&](const std::string& why) {
-    for (const graph::NodeTypePtr& type : library.types) session_.types().remove(type->name());
-    for (const std::string& command : library.commands) session_.commands().remove(command);
+    withdraw(library);
     library.types.clear();
+    library.registrar.subscriptions.clear();
     library.uninitialise(&library.registrar.host());
     throw refuse(why);
   };
@@ -145,23 +151,56 @@ void PluginManager::start(Library& library, int (*initialise)(const PlinianHost*
     back_out("failed to initialise: " +
              (library.registrar.error.empty() ? std::string("no reason is given") : library.registrar.error));
   try {
-    for (graph::NodeTypeSpec& spec : library.registrar.node_types) {
-      // A scene need not name what is a part of the program.
-      if (library.handle) {
-        spec.plugin = library.description.name;
-        spec.plugin_version = library.description.version;
-      }
-      library.types.push_back(session_.types().add(std::move(spec)));
-    }
-    for (graph::CommandSpec& spec : library.registrar.commands) {
-      const std::string name = spec.name;
-      session_.commands().add(std::move(spec));
-      library.commands.push_back(name);
-    }
+    enter(library);
   } catch (const GraphError& error) {
     back_out(error.what());
   }
   library.registrar.clear();
+}
+
+// Puts what a plug-in registers where it belongs. Throws GraphError halfway.
+void PluginManager::enter(Library& library) {
+  PluginRegistrar& registrar = library.registrar;
+  // A scene need not name what is a part of the program.
+  const std::string plugin = library.handle ? library.description.name : "";
+  for (graph::DataType& type : registrar.data_types) {
+    const std::string name = type.name;
+    type.plugin = plugin;
+    session_.types().add_data_type(std::move(type));
+    library.data_types.push_back(name);
+  }
+  for (graph::NodeTypeSpec& spec : registrar.node_types) {
+    spec.plugin = plugin;
+    if (library.handle) spec.plugin_version = library.description.version;
+    library.types.push_back(session_.types().add(std::move(spec)));
+  }
+  for (graph::CommandSpec& spec : registrar.commands) {
+    const std::string name = spec.name;
+    session_.commands().add(std::move(spec));
+    library.commands.push_back(name);
+  }
+  for (graph::FileType& type : registrar.file_types) {
+    const std::string name = type.name;
+    type.plugin = plugin;
+    session_.file_types().add(std::move(type));
+    library.file_types.push_back(name);
+  }
+  for (MenuItem& entry : registrar.menu) {
+    for (const MenuItem& other : menu_)
+      if (other.path == entry.path)
+        throw GraphError("the menu entry '" + entry.path + "' is already registered");
+    entry.plugin = library.description.name;
+    menu_.push_back(std::move(entry));
+  }
+}
+
+// Nobody finds what the plug-in registered any more.
+void PluginManager::withdraw(const Library& library) {
+  for (const graph::NodeTypePtr& type : library.types) session_.types().remove(type->name());
+  for (const std::string& command : library.commands) session_.commands().remove(command);
+  for (const std::string& type : library.data_types) session_.types().remove_data_type(type);
+  for (const std::string& type : library.file_types) session_.file_types().remove(type);
+  std::erase_if(menu_, [&](const MenuItem& entry) { return entry.plugin == library.description.name; });
 }
 
 std::string PluginManager::adopt(std::unique_ptr<Library> library) {
@@ -169,6 +208,8 @@ std::string PluginManager::adopt(std::unique_ptr<Library> library) {
   const Library& kept = *libraries_.emplace(name, std::move(library)).first->second;
   for (const graph::NodeTypePtr& type : kept.types)
     for (const std::string& warning : graph::revive_nodes(session_.editor(), type)) session_.warn(warning);
+  for (const std::string& type : kept.data_types)
+    for (const std::string& warning : graph::revive_data(session_.editor(), type)) session_.warn(warning);
   return name;
 }
 
@@ -180,6 +221,8 @@ void PluginManager::unload(const std::string& name, bool force) {
     throw GraphError("the plug-in " + graph::shown(name) + " is not loaded" + did_you_mean(name, known));
   }
   Library& library = *found->second;
+  if (events_.is_delivering())
+    throw GraphError("the plug-in '" + name + "' cannot be unloaded by an event callback");
   if (!library.handle) throw GraphError("the plug-in '" + name + "' is a part of the program and stays");
   std::vector<std::string> users;
   for (const graph::Node* node : session_.graph().nodes())
@@ -191,17 +234,22 @@ void PluginManager::unload(const std::string& name, bool force) {
                      (count > 5 ? " and " + std::to_string(count - 5) + " more" : "") +
                      ": delete them, or give -force to keep them as unknown nodes");
   }
+  try {
+    // All that nodes hold will be lines: what cannot be written would be lost halfway.
+    for (const graph::Node* node : session_.graph().nodes()) graph::node_lines(session_.graph(), *node);
+  } catch (const GraphError& error) {
+    throw GraphError("the plug-in '" + name + "' cannot be unloaded: " + error.what());
+  }
   remove(library);
 }
 
 void PluginManager::remove(Library& library) {
-  for (const graph::NodeTypePtr& type : library.types) {
-    session_.types().remove(type->name());
-    graph::forget_type(session_.editor(), type);
-  }
+  for (const graph::NodeTypePtr& type : library.types) graph::forget_type(session_.editor(), type);
+  for (const std::string& type : library.data_types) graph::forget_data(session_.editor(), type);
   // Steps of undo would bring back nodes whose code is gone.
   if (!library.types.empty()) session_.history().forget_steps();
-  for (const std::string& command : library.commands) session_.commands().remove(command);
+  withdraw(library);
+  library.registrar.subscriptions.clear();
   // Nothing of it may run any more, nor be held, before it goes.
   session_.evaluator().cancel_all();
   session_.evaluator().finish();

@@ -26,8 +26,8 @@ class PluginManager {
   /// Loads a plug-in by the path of its library (anything with a '/') or by name, as NAME.so or libNAME.so in
   /// one of the folders. Nodes that were waiting for its types come alive. Returns its name. Throws
   /// GraphError, with file and reason, and leaves everything as it was: no such plug-in, no shared library,
-  /// no description, another ABI, a missing symbol, a failure to initialise, a type or command that exists
-  /// already.
+  /// no description, another ABI, a missing symbol, a failure to initialise, a type or command or anything
+  /// else that exists already.
   std::string load(const std::string& name_or_path);
 
   /// Registers a plug-in that is compiled into the program (PLINIAN_LINKED_PLUGIN): it cannot be unloaded,
@@ -44,6 +44,10 @@ class PluginManager {
     std::string path;  // or "part of the program"
   };
   std::vector<Loaded> plugins() const;
+  /// Entries of menus that plug-ins bring, in the order of registration.
+  const std::vector<MenuItem>& menu() const { return menu_; }
+  /// What plug-ins hear; whoever else wants to may listen too.
+  EventHub& events() { return events_; }
   const std::vector<std::filesystem::path>& folders() const { return folders_; }
 
  private:
@@ -52,9 +56,13 @@ class PluginManager {
   void add_commands();
   void start(Library& library, int (*initialise)(const PlinianHost*));
   std::string adopt(std::unique_ptr<Library> library);
+  void enter(Library& library);
+  void withdraw(const Library& library);
   void remove(Library& library);
 
   graph::Session& session_;
+  EventHub events_{session_};
+  std::vector<MenuItem> menu_;
   std::vector<std::filesystem::path> folders_;
   std::map<std::string, std::unique_ptr<Library>> libraries_;
 };

@@ -1,7 +1,8 @@
 // Takes what a plug-in registers. No exception leaves a function that a plug-in calls.
 #include "host/sdk/plugin_registrar.h"
 
-#include "host/sdk/command_table.h"
+#include "host/graph/graph_error.h"
+#include "host/sdk/data_type_table.h"
 #include "host/sdk/node_type_table.h"
 #include "host/sdk/plain_text.h"
 
@@ -9,9 +10,14 @@ namespace plinian::sdk {
 
 namespace {
 
+PluginRegistrar& registrar_of(void* self) {
+  return *static_cast<PluginRegistrar*>(self);
+}
+
+// Of what fails while the plug-in is initialised the first counts.
 template <class Action>
 int registered(void* self, const Action& action) {
-  auto& registrar = *static_cast<PluginRegistrar*>(self);
+  PluginRegistrar& registrar = registrar_of(self);
   try {
     action(registrar);
     return 1;
@@ -23,7 +29,7 @@ int registered(void* self, const Action& action) {
 
 }  // namespace
 
-PluginRegistrar::PluginRegistrar() {
+PluginRegistrar::PluginRegistrar(EventHub* events) : events_(events) {
   host_.size = sizeof(PlinianHost);
   host_.abi_major = PLINIAN_ABI_MAJOR;
   host_.abi_minor = PLINIAN_ABI_MINOR;
@@ -36,14 +42,80 @@ PluginRegistrar::PluginRegistrar() {
     return registered(self, [&](PluginRegistrar& r) { r.commands.push_back(command_from(command)); });
   };
   host_.fail = [](void* self, const char* message) {
-    auto& registrar = *static_cast<PluginRegistrar*>(self);
-    if (registrar.error.empty()) registrar.error = text_of(message);
+    PluginRegistrar& registrar = registrar_of(self);
+    registrar.last_error_ = text_of(message);
+    if (registrar.error.empty()) registrar.error = registrar.last_error_;
   };
+  host_.register_data_type = [](void* self, const PlinianDataType* type) {
+    return registered(self,
+                      [&](PluginRegistrar& r) { r.data_types.push_back(data_type_from(type, r.data)); });
+  };
+  host_.register_file_type = [](void* self, const PlinianFileType* type) {
+    return registered(self, [&](PluginRegistrar& r) { r.file_types.push_back(file_type_from(type)); });
+  };
+  host_.register_menu_entry = [](void* self, const PlinianMenuEntry* entry) {
+    return registered(self, [&](PluginRegistrar& r) { r.menu.push_back(menu_entry_from(entry)); });
+  };
+  host_.subscribe = [](void* self, const char* kind, void* user, PlinianEventCallback callback) {
+    PluginRegistrar& registrar = registrar_of(self);
+    try {
+      return registrar.subscribe(kind, user, callback);
+    } catch (const std::exception& error) {
+      registrar.last_error_ = error.what();
+      return std::uint64_t(0);
+    }
+  };
+  host_.unsubscribe = [](void* self, std::uint64_t subscription) {
+    registrar_of(self).subscriptions.erase(subscription);
+  };
+  host_.execute = [](void* self, const char* line, const char** answers) {
+    PluginRegistrar& registrar = registrar_of(self);
+    try {
+      registrar.execute(line, answers);
+      return 1;
+    } catch (const std::exception& error) {
+      registrar.last_error_ = error.what();
+      return 0;
+    }
+  };
+  host_.error = [](void* self) { return registrar_of(self).last_error_.c_str(); };
+}
+
+std::uint64_t PluginRegistrar::subscribe(const char* kind, void* user, PlinianEventCallback callback) {
+  if (!events_) throw graph::GraphError("there are no events here");
+  if (!callback) throw graph::GraphError("a subscription needs a callback");
+  auto subscription =
+      events_->subscribe(event_of_name(text_of(kind)), name, [this, user, callback](const SceneEvent& event) {
+        PlinianEvent plain{};
+        plain.size = sizeof(plain);
+        plain.kind = event_name(event.kind).c_str();
+        plain.node = event.node.c_str();
+        plain.plug = event.plug.c_str();
+        plain.other = event.other.c_str();
+        plain.time = event.time;
+        last_error_.clear();
+        if (!callback(user, &plain))
+          throw graph::GraphError(last_error_.empty() ? "no reason is given" : last_error_);
+      });
+  subscriptions.emplace(++last_subscription_, std::move(subscription));
+  return last_subscription_;
+}
+
+void PluginRegistrar::execute(const char* line, const char** answers) {
+  if (!events_ || !events_->is_delivering())
+    throw graph::GraphError("commands run from event callbacks and from commands alone");
+  answers_.clear();
+  for (const std::string& answer : events_->session().execute(text_of(line)))
+    answers_ += (answers_.empty() ? "" : "\n") + answer;
+  if (answers) *answers = answers_.c_str();
 }
 
 void PluginRegistrar::clear() {
   node_types.clear();
   commands.clear();
+  data_types.clear();
+  file_types.clear();
+  menu.clear();
 }
 
 }  // namespace plinian::sdk

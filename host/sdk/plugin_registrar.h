@@ -1,6 +1,8 @@
 // The host's side of the tables: what a plug-in registers, as the graph's own declarations.
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -8,30 +10,45 @@
 #include "host/graph/commands/command.h"
 #include "host/graph/types/node_type.h"
 #include "host/sdk/abi.h"
+#include "host/sdk/command_table.h"
 #include "host/sdk/data_count.h"
+#include "host/sdk/event_hub.h"
 
 namespace plinian::sdk {
 
 /// Collects what a plug-in registers while it is initialised; nothing of it counts before the plug-in has
-/// succeeded.
+/// succeeded. Lives as long as the plug-in: its table is what the plug-in talks to.
 class PluginRegistrar {
  public:
-  PluginRegistrar();
+  /// events: null where there is no session.
+  explicit PluginRegistrar(EventHub* events = nullptr);
   PluginRegistrar(const PluginRegistrar&) = delete;
   PluginRegistrar& operator=(const PluginRegistrar&) = delete;
 
   /// For plinian_initialise; good for as long as the registrar lives.
   const PlinianHost& host() const { return host_; }
 
-  void clear();  // what was registered, once it is where it belongs
+  /// Forgets what was registered, once it is where it belongs. Subscriptions stay.
+  void clear();
 
+  std::string name = "the plug-in";  // for what its callbacks have to say
   std::vector<graph::NodeTypeSpec> node_types;
   std::vector<graph::CommandSpec> commands;
+  std::vector<graph::DataType> data_types;
+  std::vector<graph::FileType> file_types;
+  std::vector<MenuItem> menu;
+  std::map<std::uint64_t, EventHub::Subscription> subscriptions;
   std::string error;  // of the first thing that failed
   const std::shared_ptr<DataCount> data = std::make_shared<DataCount>();
 
  private:
+  std::uint64_t subscribe(const char* kind, void* user, PlinianEventCallback callback);
+  void execute(const char* line, const char** answers);
+
+  EventHub* events_;
   PlinianHost host_{};
+  std::uint64_t last_subscription_ = 0;
+  std::string last_error_, answers_;
 };
 
 }  // namespace plinian::sdk

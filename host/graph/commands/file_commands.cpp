@@ -35,10 +35,20 @@ CommandResult import(Session& session, const Arguments& arguments) {
   const std::string name_space = arguments.text("namespace");
   if (!name_space.empty() && !is_node_name(name_space))
     throw GraphError("import: " + shown(name_space) + " cannot be a namespace: letters, digits and _");
+  if (const FileType* type = session.file_types().find(arguments.text("file"))) {
+    if (!type->import_file)
+      throw GraphError("import: files of the type '" + type->name + "' can only be written");
+    return type->import_file(session, arguments);
+  }
   return names_of(session.graph(), session.import_scene(arguments.text("file"), name_space));
 }
 
 CommandResult export_nodes(Session& session, const Arguments& arguments) {
+  if (const FileType* type = session.file_types().find(arguments.text("file"))) {
+    if (!type->export_file)
+      throw GraphError("export: files of the type '" + type->name + "' can only be read");
+    return type->export_file(session, arguments);
+  }
   try {
     save_scene(arguments.text("file"),
                write_scene(session.graph(), nodes_or_selection(session, arguments.texts("nodes"))));
@@ -68,15 +78,16 @@ void add_file_commands(CommandRegistry& commands) {
                 .parameters = {{"file", path, "scene file; else the one it was opened from", true}},
                 .run = save});
   commands.add({.name = "import",
-                .help = "Adds the nodes of a scene to this one and answers with their names.",
-                .parameters = {{"file", path, "scene file"}},
+                .help = "Adds what a file holds to the scene and answers with the names of its nodes.",
+                .parameters = {{"file", path, "scene file, or one of a type that a plug-in reads"}},
                 .flags = {{"namespace", "goes before their names, with a colon", text}},
                 .run = import});
-  commands.add({.name = "export",
-                .help = "Writes nodes to a scene file of their own.",
-                .parameters = {{"file", path, "scene file"},
-                               {"nodes", node, "names or patterns; else the selection", true, true}},
-                .run = export_nodes});
+  commands.add(
+      {.name = "export",
+       .help = "Writes nodes to a scene file of their own, or to a file of a type that a plug-in writes.",
+       .parameters = {{"file", path, "scene file"},
+                      {"nodes", node, "names or patterns; else the selection", true, true}},
+       .run = export_nodes});
 }
 
 }  // namespace plinian::graph

@@ -21,6 +21,10 @@ Session::Session(const Evaluator::Options& options) : evaluator_(graph_, options
   new_scene();
 }
 
+void Session::tell(SceneMoment moment, const std::string& path) {
+  for (SessionListener* listener : std::vector<SessionListener*>(listeners_)) listener->passed(moment, path);
+}
+
 void Session::warn(const std::string& line) const {
   if (on_warning) on_warning(line);
 }
@@ -36,9 +40,18 @@ CommandResult Session::execute(std::string_view line, const std::string& merge_k
 CommandResult Session::execute(const CommandSpec& spec, const Arguments& arguments,
                                const std::string& merge_key) {
   struct Depth {
-    int& depth;
-    ~Depth() { --depth; }
-  } depth{++depth_};
+    Session& session;
+    bool failed = true;
+    ~Depth() {
+      if (--session.depth_ > 0) return;
+      for (SessionListener* listener : std::vector<SessionListener*>(session.listeners_))
+        listener->ended(failed);
+    }
+  };
+  if (depth_ == 0)
+    for (SessionListener* listener : listeners_) listener->begun();
+  ++depth_;
+  Depth depth{*this};
   if (spec.handles_history && depth_ > 1) throw GraphError(spec.name + ": cannot be run by another command");
   const std::string call = write_call(spec, arguments);
   CommandResult result;
@@ -49,6 +62,7 @@ CommandResult Session::execute(const CommandSpec& spec, const Arguments& argumen
     result = spec.run(*this, arguments);
   }
   if (depth_ == 1 && on_echo) on_echo(call);
+  depth.failed = false;
   return result;
 }
 
@@ -66,6 +80,7 @@ void clear_graph(Editor& editor) {
 }  // namespace
 
 void Session::new_scene() {
+  tell(SceneMoment::before_new);
   {
     const History::Scope scope(history_, "newScene");
     clear_graph(editor_);
@@ -77,9 +92,11 @@ void Session::new_scene() {
   scene_path_.clear();
   read_only_ = false;
   evaluator_.set_time(1.0);
+  tell(SceneMoment::after_new);
 }
 
 void Session::open_scene(const std::string& path) {
+  tell(SceneMoment::before_open, path);
   SceneReport report;
   const std::string text = read_text_file(path);
   for (const std::string& plugin : required_plugins(text, path))
@@ -100,6 +117,7 @@ void Session::open_scene(const std::string& path) {
       break;
     }
   for (const std::string& warning : report.warnings) warn(warning);
+  tell(SceneMoment::after_open, scene_path_);
 }
 
 std::vector<NodeId> Session::import_scene(const std::string& path, const std::string& name_space) {
@@ -115,6 +133,7 @@ void Session::save_scene(const std::string& path) {
   if (read_only_ && target == scene_path_)
     throw GraphError("save: " + target +
                      " was made by a newer version and is read-only here: save it under another name");
+  tell(SceneMoment::before_save, target);
   try {
     graph::save_scene(target, write_scene(graph_));
   } catch (const FileError& error) {
@@ -123,6 +142,7 @@ void Session::save_scene(const std::string& path) {
   scene_path_ = target;
   read_only_ = false;
   history_.mark_saved();
+  tell(SceneMoment::after_save, target);
 }
 
 std::filesystem::path Session::scene_folder() const {

@@ -7,11 +7,25 @@
 #include <string_view>
 
 #include "host/graph/commands/command.h"
+#include "host/graph/commands/file_types.h"
 #include "host/graph/edits/editor.h"
 #include "host/graph/evaluation/evaluator.h"
 #include "host/graph/types/type_registry.h"
 
 namespace plinian::graph {
+
+enum class SceneMoment { before_new, after_new, before_open, after_open, before_save, after_save };
+
+/// Is told what a session goes through. Must not throw.
+class SessionListener {
+ public:
+  virtual ~SessionListener() = default;
+  /// path: of the file that is opened or saved.
+  virtual void passed(SceneMoment moment, const std::string& path) = 0;
+  /// A command that no other one runs begins, and is over; failed: what it did was taken back.
+  virtual void begun() = 0;
+  virtual void ended(bool failed) = 0;
+};
 
 class Session {
  public:
@@ -21,6 +35,7 @@ class Session {
 
   TypeRegistry& types() { return types_; }
   CommandRegistry& commands() { return commands_; }
+  FileTypeRegistry& file_types() { return file_types_; }
   const Graph& graph() const { return graph_; }
   History& history() { return history_; }
   Editor& editor() { return editor_; }
@@ -35,6 +50,8 @@ class Session {
   /// Hears of every command that ran, as the line that would run it again, and of warnings.
   std::function<void(const std::string&line)> on_echo, on_warning;
   void warn(const std::string& line) const;
+  void add_listener(SessionListener* listener) { listeners_.push_back(listener); }
+  void remove_listener(SessionListener* listener) { std::erase(listeners_, listener); }
   /// Is told of each plug-in that a scene needs before the scene is opened, and may load it.
   std::function<void(const std::string& plugin)> on_requires;
 
@@ -57,8 +74,12 @@ class Session {
   NodeId time_node();
 
  private:
+  void tell(SceneMoment moment, const std::string& path = "");
+
   TypeRegistry types_;
   CommandRegistry commands_;
+  FileTypeRegistry file_types_;
+  std::vector<SessionListener*> listeners_;
   Graph graph_;
   History history_{graph_};
   Editor editor_{graph_, history_};

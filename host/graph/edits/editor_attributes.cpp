@@ -24,6 +24,17 @@ std::vector<Plug> leaf_plugs(const Graph& graph, const Plug& plug) {
   return result;
 }
 
+namespace {
+
+// Data are equal where they are the same or are known to hold the same.
+bool equal(const Value& a, const Value& b) {
+  const auto *x = std::get_if<DataPtr>(&a), *y = std::get_if<DataPtr>(&b);
+  return a == b || (x && y && *x && *y && (*x)->content != 0 && (*x)->content == (*y)->content &&
+                    (*x)->type == (*y)->type);
+}
+
+}  // namespace
+
 std::string Editor::set_problem(const Plug& plug) const {
   const Node& node = *graph_.find(plug.node);
   const SchemaAttribute& attribute = (*node.schema)[plug.attribute];
@@ -62,7 +73,7 @@ bool Editor::set(const Plug& plug, const Value& value) {
 
 void Editor::set_stored(const Plug& plug, std::optional<Value> value) {
   const Value* stored = graph_.find(plug.node)->stored(plug.attribute, plug.element);
-  if (stored ? value && *value == *stored : !value) return;
+  if (stored ? value && equal(*value, *stored) : !value) return;
   history_.perform(SetValue{plug, std::move(value)});
 }
 

@@ -46,6 +46,8 @@ class History {
   /// What undo and redo would take, oldest first and next first.
   std::vector<std::string> undo_names() const;
   std::vector<std::string> redo_names() const;
+  /// Whether a scope is open: in the middle of what will be one step.
+  bool is_open() const { return depth_ > 0; }
   /// Ends a drag: the next step stands alone, whatever its merge key.
   void end_merge() { can_merge_ = false; }
   /// Forgets all steps, as a new scene does.

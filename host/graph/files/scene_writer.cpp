@@ -18,6 +18,8 @@ std::string value_line(const Graph& graph, const Node& node, const StoredValue& 
   line += Graph::path_of(*node.schema, {node.id, stored.attribute, stored.element, -1});
   const std::string text = write_value(attribute.spec, stored.value, graph.names());
   if (!text.empty()) line += " " + text;
+  // Data whose type is not registered.
+  if (text.empty() && attribute.spec.type == AttributeType::data) return "";
   return line;
 }
 
@@ -53,9 +55,9 @@ std::vector<std::string> node_lines(const Graph& graph, const Node& node) {
   };
   for (const StoredValue& stored : node.values) {
     const AttributeSpec& spec = schema[stored.attribute].spec;
-    if (!spec.storable || spec.type == AttributeType::data) continue;
+    if (!spec.storable) continue;
     add_inputs_before(stored.attribute, stored.element);
-    lines.push_back(value_line(graph, node, stored));
+    if (std::string line = value_line(graph, node, stored); !line.empty()) lines.push_back(std::move(line));
   }
   add_inputs_before(schema.size(), 0);
   for (const Plug& plug : node.locked) lines.push_back("  lock ." + Graph::path_of(schema, plug));

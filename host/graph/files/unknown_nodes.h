@@ -17,4 +17,16 @@ std::vector<std::string> revive_nodes(Editor& editor, const NodeTypePtr& type);
 /// undo.
 void forget_type(Editor& editor, const NodeTypePtr& type);
 
+/// Gives values of a data type back to the nodes that kept them as lines, once the type is registered.
+/// Forgets the steps of undo where it changed anything.
+std::vector<std::string> revive_data(Editor& editor, const std::string& data_type);
+
+/// Turns values of a data type into lines that their nodes keep, before the type goes. Forgets the steps of
+/// undo, which may hold such values.
+void forget_data(Editor& editor, const std::string& data_type);
+
+/// Resets attributes whose data cannot be written: for the end of a session, when nothing can be kept for
+/// them.
+void drop_unwritable_data(Editor& editor);
+
 }  // namespace plinian::graph

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "host/graph/types/data_type.h"
 #include "host/graph/values/value.h"
 
 namespace plinian::graph {
@@ -34,6 +35,7 @@ struct AttributeSpec {
   AttributeLayout layout;
   std::vector<Choice> choices;                       // enum
   std::string data_type;                             // data: what connects to it
+  DataSlotPtr data_slot;                             // ... and how it is stored; given by the registry
   std::optional<double> minimum, maximum;            // of each number: clamped when set
   std::optional<double> soft_minimum, soft_maximum;  // ends of the slider, no more
   double step = 0.0;                                 // of the slider; 0: smooth

@@ -13,6 +13,7 @@ NodeTypePtr TypeRegistry::add(NodeTypeSpec spec) {
     throw GraphError("node type '" + spec.name + "' is already registered" +
                      (plugin.empty() ? "" : " by the plug-in '" + plugin + "'"));
   }
+  give_slots(spec.attributes);
   auto type = std::make_shared<const NodeType>(std::move(spec));
   types_.emplace(type->name(), type);
   return type;
@@ -37,6 +38,36 @@ std::vector<std::string> TypeRegistry::names() const {
   std::vector<std::string> result;
   for (const auto& [name, type] : types_) result.push_back(name);
   return result;
+}
+
+const std::shared_ptr<DataSlot>& TypeRegistry::slot(const std::string& data_type) {
+  std::shared_ptr<DataSlot>& found = slots_[data_type];
+  if (!found) found = std::make_shared<DataSlot>();
+  return found;
+}
+
+void TypeRegistry::give_slots(std::vector<AttributeSpec>& attributes) {
+  for (AttributeSpec& attribute : attributes) {
+    if (attribute.type == AttributeType::data) attribute.data_slot = slot(attribute.data_type);
+    give_slots(attribute.children);
+  }
+}
+
+void TypeRegistry::add_data_type(DataType type) {
+  if (const DataTypePtr other = find_data_type(type.name))
+    throw GraphError("data type '" + type.name + "' is already registered" +
+                     (other->plugin.empty() ? "" : " by the plug-in '" + other->plugin + "'"));
+  DataSlot& place = *slot(type.name);
+  place.type = std::make_shared<const DataType>(std::move(type));
+}
+
+void TypeRegistry::remove_data_type(const std::string& name) {
+  slot(name)->type = nullptr;
+}
+
+DataTypePtr TypeRegistry::find_data_type(const std::string& name) const {
+  const auto found = slots_.find(name);
+  return found == slots_.end() ? nullptr : found->second->type;
 }
 
 }  // namespace plinian::graph

@@ -23,8 +23,18 @@ class TypeRegistry {
   NodeTypePtr get(std::string_view name) const;
   std::vector<std::string> names() const;
 
+  /// Attributes of this data type can be stored from now on. Throws GraphError where the name is taken.
+  void add_data_type(DataType type);
+  void remove_data_type(const std::string& name);
+  /// The data type of that name, or null.
+  DataTypePtr find_data_type(const std::string& name) const;
+
  private:
+  void give_slots(std::vector<AttributeSpec>& attributes);
+  const std::shared_ptr<DataSlot>& slot(const std::string& data_type);
+
   std::map<std::string, NodeTypePtr, std::less<>> types_;
+  std::map<std::string, std::shared_ptr<DataSlot>> slots_;  // by data type
 };
 
 }  // namespace plinian::graph

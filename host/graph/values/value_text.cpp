@@ -248,6 +248,7 @@ std::string write_value(const AttributeSpec& spec, const Value& value, const Nod
           return name.empty() ? "none" : name;
         }
         if constexpr (std::is_same_v<T, Boxed<Ramp>>) return write_ramp(*held);
+        if constexpr (std::is_same_v<T, DataPtr>) return write_data(spec.data_slot, held);
         return "";
       },
       value);
@@ -276,7 +277,8 @@ Value read_value(const AttributeSpec& spec, std::span<const Word> words, const N
     case AttributeType::compound:
       throw GraphError("is a compound: set its children");
     default:
-      throw GraphError("holds data, which have no text form");
+      if (words.size() != 1) refuse(spec, words);
+      return read_data(spec.data_slot, spec.data_type, words[0]);
   }
 }
 

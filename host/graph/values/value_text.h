@@ -20,7 +20,7 @@ struct NodeNames {
 };
 
 /// The value in words that read_value takes, separated by spaces: `0.1`, `1 0.5 0`, `"ash column"`, `smooth`,
-/// `0:1,1,1:linear 1:0,0,0:smooth`. Data have no text: "".
+/// `0:1,1,1:linear 1:0,0,0:smooth`. Data whose type is not registered have no text: "".
 std::string write_value(const AttributeSpec& spec, const Value& value, const NodeNames& names = {});
 
 /// The value that the words stand for; vectors may be separated by commas as well, a colour may be one grey

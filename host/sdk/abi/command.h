@@ -43,6 +43,28 @@ typedef struct PlinianCommand {
   void (*run)(void* user, const PlinianCommandContext*, PlinianCall*);
 } PlinianCommand;
 
+/* Files that the commands import and export take beside scenes, by their extension (since 1.1). The functions
+ * are called as a part of those commands: an importer runs commands that make what the file holds and answers
+ * with the names of the nodes, and finds the words of the flag "namespace"; an exporter finds the words of
+ * the parameter "nodes". Either may be null. */
+typedef struct PlinianFileType {
+  size_t size;
+  const char* name;
+  const char* help;
+  const char* extensions; /* "chan" or "obj ply", in lower case */
+  void* user;
+  void (*import_file)(void* user, const PlinianCommandContext*, PlinianCall*, const char* path);
+  void (*export_file)(void* user, const PlinianCommandContext*, PlinianCall*, const char* path);
+} PlinianFileType;
+
+/* An entry of a menu, which runs a command line (since 1.1). */
+typedef struct PlinianMenuEntry {
+  size_t size;
+  const char* path; /* "Create/Clouds/Ash Column" */
+  const char* command;
+  const char* help; /* may be null */
+} PlinianMenuEntry;
+
 #ifdef __cplusplus
 }
 #endif

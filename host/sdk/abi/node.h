@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "host/sdk/abi/data_type.h"
 #include "host/sdk/abi/scene.h"
 
 #ifdef __cplusplus
@@ -42,16 +43,6 @@ typedef struct PlinianAttribute {
 #define PLINIAN_ATTRIBUTE_NOT_STORABLE 32u
 #define PLINIAN_ATTRIBUTE_NOT_CONNECTABLE 64u
 #define PLINIAN_ATTRIBUTE_NOT_OF_PICTURE 128u /* of a shape: does not affect its contribution (since 1.1) */
-
-/* Opaque data that a node hands on. `release` is called once nobody holds it, on any thread. */
-typedef struct PlinianData {
-  size_t size;
-  const char* type;
-  const void* object;
-  size_t bytes;     /* held in memory */
-  uint64_t content; /* equal for equal content; 0: not known */
-  void (*release)(const void* object);
-} PlinianData;
 
 /* What a compute function sees of the world. element: -1 where the attribute is no array. time: the
  * frame at which the input is read; null for the present. A failure is remembered, and becomes the error of

@@ -46,6 +46,21 @@ namespace sdk __attribute__((visibility("hidden"))) {
     std::function<void(Call&)> run;
   };
 
+  /// Files that the commands import and export take, by extension. An importer runs commands that make what
+  /// the file holds, answers with the names of the nodes, and finds call.words("namespace"); an exporter
+  /// finds call.words("nodes").
+  struct FileType {
+    std::string name, help;
+    std::string extensions;  // "chan" or "obj ply", in lower case
+    std::function<void(Call&, const std::string&path)> import_file, export_file;
+  };
+
+  /// An entry of a menu, which runs a command line.
+  struct MenuEntry {
+    std::string path;  // "Create/Clouds/Ash Column"
+    std::string command, help;
+  };
+
   namespace detail {
 
   inline std::vector<PlinianArgument> plain(const std::vector<Argument>& arguments) {
@@ -77,6 +92,45 @@ namespace sdk __attribute__((visibility("hidden"))) {
           [&](const char* message) { table->fail(call, message); });
     };
     return host.register_command(host.self, &plain);
+  }
+
+  inline int register_file_type(const PlinianHost& host, FileType& type) {
+    PlinianFileType plain{};
+    plain.size = sizeof(plain);
+    plain.name = type.name.c_str();
+    plain.help = type.help.c_str();
+    plain.extensions = type.extensions.c_str();
+    plain.user = &type;
+    if (type.import_file)
+      plain.import_file = [](void* user, const PlinianCommandContext* table, PlinianCall* call,
+                             const char* path) {
+        guarded(
+            [&] {
+              Call wrapped(*table, call);
+              static_cast<FileType*>(user)->import_file(wrapped, path);
+            },
+            [&](const char* message) { table->fail(call, message); });
+      };
+    if (type.export_file)
+      plain.export_file = [](void* user, const PlinianCommandContext* table, PlinianCall* call,
+                             const char* path) {
+        guarded(
+            [&] {
+              Call wrapped(*table, call);
+              static_cast<FileType*>(user)->export_file(wrapped, path);
+            },
+            [&](const char* message) { table->fail(call, message); });
+      };
+    return host.register_file_type(host.self, &plain);
+  }
+
+  inline int register_menu_entry(const PlinianHost& host, const MenuEntry& entry) {
+    PlinianMenuEntry plain{};
+    plain.size = sizeof(plain);
+    plain.path = entry.path.c_str();
+    plain.command = entry.command.c_str();
+    plain.help = entry.help.c_str();
+    return host.register_menu_entry(host.self, &plain);
   }
 
   }  // namespace detail

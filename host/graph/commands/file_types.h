@@ -1,0 +1,36 @@
+// Files beside scenes that import and export take, by extension.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host/graph/commands/command.h"
+
+namespace plinian::graph {
+
+struct FileType {
+  std::string name, help;
+  std::string plugin;                   // who registers it; empty: the program itself
+  std::vector<std::string> extensions;  // in lower case, without the dot
+  /// Run as a part of the command, with its arguments; the importer answers with names of nodes. Either may
+  /// be empty.
+  std::function<CommandResult(Session&, const Arguments&)> import_file, export_file;
+};
+
+class FileTypeRegistry {
+ public:
+  /// Throws GraphError where an extension is taken, or is the scenes' own.
+  void add(FileType type);
+  void remove(const std::string& name);
+  /// The type of a file by its name, or null.
+  const FileType* find(const std::string& path) const;
+  std::vector<const FileType*> all() const;
+
+ private:
+  std::map<std::string, FileType> types_;  // by name
+};
+
+}  // namespace plinian::graph
