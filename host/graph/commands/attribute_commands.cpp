@@ -1,4 +1,6 @@
 // setAttr, getAttr, resetAttr, addAttr, lockAttr.
+#include <span>
+
 #include "host/graph/commands/session.h"
 #include "host/graph/files/attribute_declaration.h"
 #include "host/graph/graph_error.h"
@@ -15,15 +17,14 @@ AttributeSpec spec_of(const Graph& graph, const Plug& plug) {
   return spec;
 }
 
-CommandResult set_attr(Session& session, const Arguments& arguments) {
+void set_one(Session& session, const Plug& plug, std::span<const Word> words) {
   const Graph& graph = session.graph();
-  const Plug plug = graph.plug(arguments.text("plug"));
   const std::string name = graph.name_of(plug);
   if (const std::string problem = session.editor().set_problem(plug); !problem.empty())
     throw GraphError(problem);
   Value value;
   try {
-    value = read_value(spec_of(graph, plug), arguments.words("value"), graph.names());
+    value = read_value(spec_of(graph, plug), words, graph.names());
   } catch (const GraphError& error) {
     throw GraphError(name + " " + error.what());
   }
@@ -32,6 +33,24 @@ CommandResult set_attr(Session& session, const Arguments& arguments) {
     session.warn(
         name + " is out of its range (" + expectation(graph.attribute(plug).spec) + ") and was set to " +
         write_value(graph.attribute(plug).spec, node.value(plug.attribute, plug.element), graph.names()));
+  }
+}
+
+CommandResult set_attr(Session& session, const Arguments& arguments) {
+  const Graph& graph = session.graph();
+  const Plug plug = graph.plug(arguments.text("plug"));
+  const std::vector<Word>& words = arguments.words("value");
+  const std::vector<Plug> leaves = leaf_plugs(graph, plug);
+  const bool compound = graph.attribute(plug).spec.type == AttributeType::compound;
+  if (!compound) {
+    set_one(session, plug, words);
+  } else if (words.size() == leaves.size()) {
+    // A compound of single values is set as a vector is.
+    for (std::size_t i = 0; i < leaves.size(); ++i)
+      set_one(session, leaves[i], std::span(words).subspan(i, 1));
+  } else {
+    throw GraphError(graph.name_of(plug) + " expects " + std::to_string(leaves.size()) +
+                     " values, one for each of its parts");
   }
   return {};
 }

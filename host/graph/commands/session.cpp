@@ -91,6 +91,7 @@ void Session::new_scene() {
   history_.mark_saved();
   scene_path_.clear();
   read_only_ = false;
+  evaluator_.set_folder(scene_folder().string());
   evaluator_.set_time(1.0);
   tell(SceneMoment::after_new);
 }
@@ -110,6 +111,7 @@ void Session::open_scene(const std::string& path) {
   history_.mark_saved();
   scene_path_ = std::filesystem::absolute(path).lexically_normal().string();
   read_only_ = report.read_only;
+  evaluator_.set_folder(scene_folder().string());
   for (const Node* node : graph_.nodes())
     if (const AttributeIndex start = node->schema->find("start");
         node->type->spec().time_source && start >= 0) {
@@ -140,6 +142,7 @@ void Session::save_scene(const std::string& path) {
     throw GraphError(std::string("save: ") + error.what());
   }
   scene_path_ = target;
+  evaluator_.set_folder(scene_folder().string());
   read_only_ = false;
   history_.mark_saved();
   tell(SceneMoment::after_save, target);

@@ -22,6 +22,12 @@ std::vector<Plug> number_plugs(const Graph& graph, const Plug& plug) {
   if (!attribute.spec.keyable) throw GraphError(graph.name_of(plug) + " cannot be animated");
   if (attribute.array != no_attribute && plug.element < 0)
     throw GraphError(graph.name_of(plug) + " is an array: name an element, as " + attribute.path + "[0]");
+  if (attribute.spec.type == AttributeType::compound) {
+    std::vector<Plug> all;
+    for (const Plug& leaf : leaf_plugs(graph, plug))
+      for (const Plug& one : number_plugs(graph, leaf)) all.push_back(one);
+    return all;
+  }
   if (plug.component >= 0 || is_number(attribute.spec.type)) return {plug};
   if (count == 0)
     throw GraphError(graph.name_of(plug) + " is of type " + std::string(type_name(attribute.spec.type)) +

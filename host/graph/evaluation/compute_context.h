@@ -14,7 +14,8 @@ class ComputeContext {
   virtual ~ComputeContext() = default;
 
   /// The value of an input, as set or as driven. The reference holds until the compute function returns.
-  /// Reading an input that does not affect the output is a mistake that the checking mode finds.
+  /// Reading an input that does not affect the output is a mistake that the checking mode finds. A path
+  /// comes whole: with its variables filled in, and from the scene's folder on where it is relative.
   virtual const Value& input(AttributeIndex attribute, std::int32_t element = -1) = 0;
   /// Elements of an array that exist, ascending.
   virtual std::vector<std::int32_t> elements(AttributeIndex array) = 0;

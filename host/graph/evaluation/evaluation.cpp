@@ -8,6 +8,7 @@
 #include "host/graph/evaluation/compute_context.h"
 #include "host/graph/graph_error.h"
 #include "host/graph/model/conversion.h"
+#include "host/graph/values/file_path.h"
 
 namespace plinian::graph {
 
@@ -35,30 +36,15 @@ class Evaluation::Context : public ComputeContext {
       : evaluation_(evaluation), node_(node), output_(output) {}
 
   const Value& input(AttributeIndex attribute, std::int32_t element) override {
-    if (!affects(node_, attribute, output_.attribute)) {
-      evaluation_.undeclared_reads_[output_].insert({node_.id, attribute, element});
-      // Not pulled beforehand, as the others were.
-      for (const Input& input : node_.inputs_of(attribute, element))
-        require(evaluation_.evaluate(input.source.whole()));
-    }
-    const auto inputs = node_.inputs_of(attribute, element);
-    if (inputs.empty()) return node_.value(attribute, element);
-    if (inputs.size() == 1 && inputs[0].component < 0 && inputs[0].source.component < 0) {
-      // The value itself, where it needs no conversion.
-      const Value& value = evaluation_.results_.at(inputs[0].source.whole())->value;
-      const AttributeSpec& spec = (*node_.schema)[attribute].spec;
-      if (value.index() == spec.default_value.index() && !spec.minimum && !spec.maximum &&
-          spec.type != AttributeType::choice)
-        return value;
-    }
-    return converted_.emplace_front(evaluation_.gathered(node_, attribute, element));
+    const Value& value = plain_input(attribute, element);
+    return is_relative(attribute, value) ? converted_.emplace_front(expanded(value)) : value;
   }
   std::vector<std::int32_t> elements(AttributeIndex array) override { return node_.elements(array); }
   Value input_at(double time, AttributeIndex attribute, std::int32_t element) override {
     const ResultPtr result = evaluation_.evaluate_at(time, {node_.id, attribute, element, -1});
     reads_.push_back({time, attribute, element, result->identity});
     require(result);
-    return result->value;
+    return is_relative(attribute, result->value) ? expanded(result->value) : result->value;
   }
   void set_output(AttributeIndex attribute, Value value) override {
     const SchemaAttribute& declared = (*node_.schema)[attribute];
@@ -93,6 +79,35 @@ class Evaluation::Context : public ComputeContext {
   std::vector<OtherTimeRead> reads_;
 
  private:
+  const Value& plain_input(AttributeIndex attribute, std::int32_t element) {
+    if (!affects(node_, attribute, output_.attribute)) {
+      evaluation_.undeclared_reads_[output_].insert({node_.id, attribute, element});
+      // Not pulled beforehand, as the others were.
+      for (const Input& input : node_.inputs_of(attribute, element))
+        require(evaluation_.evaluate(input.source.whole()));
+    }
+    const auto inputs = node_.inputs_of(attribute, element);
+    if (inputs.empty()) return node_.value(attribute, element);
+    if (inputs.size() == 1 && inputs[0].component < 0 && inputs[0].source.component < 0) {
+      // The value itself, where it needs no conversion.
+      const Value& value = evaluation_.results_.at(inputs[0].source.whole())->value;
+      const AttributeSpec& spec = (*node_.schema)[attribute].spec;
+      if (value.index() == spec.default_value.index() && !spec.minimum && !spec.maximum &&
+          spec.type != AttributeType::choice)
+        return value;
+    }
+    return converted_.emplace_front(evaluation_.gathered(node_, attribute, element));
+  }
+
+  // A path as it was typed means nothing to whoever opens files.
+  bool is_relative(AttributeIndex attribute, const Value& value) const {
+    return (*node_.schema)[attribute].spec.type == AttributeType::path &&
+           std::holds_alternative<std::string>(value) && !std::get<std::string>(value).empty();
+  }
+  Value expanded(const Value& value) const {
+    return expand_path(std::get<std::string>(value), evaluation_.services_.folder);
+  }
+
   // An input read beyond those declared may have failed; so does what reads it.
   static void require(const ResultPtr& result) {
     if (result->error) throw GraphError("an input failed: " + result->error->message);

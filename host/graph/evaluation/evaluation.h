@@ -34,6 +34,7 @@ struct EvaluationServices {
   std::recursive_mutex* one_at_a_time = nullptr;  // held by types that may not run concurrently
   const std::atomic<bool>* cancelled = nullptr;
   std::function<void(const Plug&, double fraction, std::string_view what)> progress;
+  std::string folder;  // that relative paths are relative to, as compute functions read them
   /// A result that is known beforehand, or null.
   std::function<ResultPtr(const Plug&)> known;
 };

@@ -84,6 +84,12 @@ void Evaluator::set_time(double frames) {
   for (const NodeId id : time_sources_) push_outputs(*graph_.find(id));
 }
 
+void Evaluator::set_folder(const std::string& folder) {
+  if (folder == folder_) return;
+  folder_ = folder;
+  forget();
+}
+
 void Evaluator::push_outputs(const Node& node) {
   for (const AttributeIndex output : node.schema->outputs()) push_dirt({node.id, output});
 }
@@ -122,7 +128,7 @@ void Evaluator::push_dirt(const Plug& begin) {
 }
 
 EvaluationServices Evaluator::services() {
-  return {.cache = &cache_, .one_at_a_time = &one_at_a_time_};
+  return {.cache = &cache_, .one_at_a_time = &one_at_a_time_, .folder = folder_};
 }
 
 ResultPtr Evaluator::evaluate(const Plug& plug) {
@@ -215,7 +221,7 @@ void Evaluator::forget() {
 
 std::vector<std::string> Evaluator::check(const Plug& plug) {
   evaluate(plug);
-  Evaluation anew(graph_.snapshot(), time_, {.one_at_a_time = &one_at_a_time_});
+  Evaluation anew(graph_.snapshot(), time_, {.one_at_a_time = &one_at_a_time_, .folder = folder_});
   anew.evaluate(plug);
   const auto differs = [&](const Plug& output, const ResultPtr& fresh) {
     const OutputState* known = state(output);

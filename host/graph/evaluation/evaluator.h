@@ -29,6 +29,9 @@ class Evaluator : private GraphObserver {
   double time() const { return time_; }
   void set_time(double frames);
 
+  /// The folder that relative paths are relative to; a change of it makes everything dirty.
+  void set_folder(const std::string& folder);
+
   /// The value of a plug, computed now where it is dirty.
   ResultPtr evaluate(const Plug& plug);
   /// As at another time; nothing of it becomes the current state.
@@ -121,6 +124,7 @@ class Evaluator : private GraphObserver {
 
   const Graph& graph_;
   double time_ = 1.0;
+  std::string folder_;
   ValueCache cache_;
   std::vector<std::vector<OutputState>> states_;  // by node, then as the outputs of its schema
   std::set<NodeId> time_sources_;
