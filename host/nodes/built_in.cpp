@@ -2,6 +2,7 @@
 #include "host/nodes/built_in.h"
 
 #include "host/nodes/node_types.h"
+#include "host/nodes/volume_store.h"
 
 namespace plinian::nodes {
 
@@ -10,9 +11,19 @@ namespace {
 void initialise(sdk::Plugin& plugin) {
   add_time(plugin);
   add_anim_curve(plugin);
+  add_transform(plugin);
+  add_render_settings(plugin);
+  add_volume_noise(plugin);
+  const auto store = std::make_shared<VolumeStore>();
+  add_volume_read(plugin, store);
+  add_reload(plugin, store);
 }
 
-PLINIAN_LINKED_PLUGIN(plugin, "nodes", "0.1.0", "Plinian", "node:time node:animCurve", initialise);
+PLINIAN_LINKED_PLUGIN(
+    plugin, "nodes", "0.1.0", "Plinian",
+    "node:time node:animCurve node:transform node:renderSettings node:volumeNoise node:volumeRead "
+    "command:reload",
+    initialise);
 
 }  // namespace
 
