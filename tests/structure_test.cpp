@@ -36,8 +36,8 @@ const std::set<std::string> sources = {".h", ".cpp", ".comp", ".glsl"};
 
 // The folder that decides what a file may use.
 std::string layer_of(const std::string& path) {
-  for (const char* layer : {"host/cli/", "host/window/", "host/graph/", "host/sdk/", "host/nodes/", "host/",
-                            "viewport/", "core/", "tests/"})
+  for (const char* layer : {"host/cli/", "host/window/", "host/graph/", "host/sdk/", "host/nodes/", "host/scene/",
+                            "host/plugins/", "host/", "viewport/", "core/", "tests/"})
     if (path.starts_with(layer)) return std::string(layer);
   return "";
 }
@@ -49,11 +49,14 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"host/graph/", {"core/"}},
     {"host/sdk/", {"core/", "host/graph/"}},
     {"host/nodes/", {"core/", "host/graph/", "host/sdk/"}},
-    {"host/", {"core/", "host/graph/", "host/sdk/", "host/nodes/"}},
-    {"host/cli/", {"core/", "viewport/", "host/", "host/graph/", "host/sdk/", "host/nodes/"}},
-    {"host/window/", {"core/", "viewport/", "host/", "host/graph/", "host/sdk/", "host/nodes/"}},
+    {"host/plugins/", {"host/sdk/"}},
+    {"host/scene/", {"core/", "host/graph/", "host/sdk/", "host/nodes/"}},
+    {"host/", {"core/", "host/graph/", "host/sdk/", "host/nodes/", "host/scene/"}},
+    {"host/cli/", {"core/", "viewport/", "host/", "host/graph/", "host/sdk/", "host/nodes/", "host/scene/"}},
+    {"host/window/", {"core/", "viewport/", "host/", "host/graph/", "host/sdk/", "host/nodes/", "host/scene/"}},
     {"tests/",
-     {"core/", "viewport/", "host/", "host/graph/", "host/sdk/", "host/nodes/", "host/cli/", "host/window/"}},
+     {"core/", "viewport/", "host/", "host/graph/", "host/sdk/", "host/nodes/", "host/scene/", "host/cli/",
+      "host/window/"}},
 };
 
 // Includes that are forbidden, one line each.

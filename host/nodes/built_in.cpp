@@ -12,18 +12,23 @@ void initialise(sdk::Plugin& plugin) {
   add_time(plugin);
   add_anim_curve(plugin);
   add_transform(plugin);
+  add_medium(plugin);
+  add_lights(plugin);
+  add_ambient_light(plugin);
+  add_camera(plugin);
   add_render_settings(plugin);
+  add_reference_image(plugin);
   add_volume_noise(plugin);
   const auto store = std::make_shared<VolumeStore>();
   add_volume_read(plugin, store);
   add_reload(plugin, store);
 }
 
-PLINIAN_LINKED_PLUGIN(
-    plugin, "nodes", "0.1.0", "Plinian",
-    "node:time node:animCurve node:transform node:renderSettings node:volumeNoise node:volumeRead "
-    "command:reload",
-    initialise);
+PLINIAN_LINKED_PLUGIN(plugin, "nodes", "0.1.0", "Plinian",
+                      "node:time node:animCurve node:transform node:medium node:directionalLight node:spotLight "
+                      "node:pointLight node:ambientLight node:camera node:renderSettings node:referenceImage "
+                      "node:volumeNoise node:volumeRead command:reload",
+                      initialise);
 
 }  // namespace
 

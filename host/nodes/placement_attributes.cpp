@@ -12,8 +12,12 @@ namespace {
 void add_three(sdk::NodeType& type, const std::string& name, const std::string& number_type,
                const char* default_value, const std::string& unit, const std::string& help,
                const std::string& affects, Attribute (&axes)[3]) {
-  AttributeSpec spec{
-      .name = name, .type = "compound", .help = help, .group = "Transform", .affects = affects};
+  AttributeSpec spec{.name = name,
+                     .type = "compound",
+                     .help = help,
+                     .group = "Transform",
+                     .affects = affects,
+                     .of_picture = false};
   for (const char* axis : {"x", "y", "z"})
     spec.children.push_back(
         {.name = axis, .type = number_type, .default_value = default_value, .unit = unit});
@@ -40,7 +44,8 @@ PlacementAttributes::PlacementAttributes(sdk::NodeType& type, const std::string&
                      .help = "The axis that is turned about first, second and third.",
                      .group = "Transform",
                      .choices = orders,
-                     .affects = affects});
+                     .affects = affects,
+                     .of_picture = false});
   add_three(type, "scale", "double", "1", "", "Size along its axes; negative mirrors.", affects, scale_);
   add_three(type, "pivot", "distance", "0", "m", "The point that turning and scaling leave where it is.",
             affects, pivot_);
@@ -48,7 +53,8 @@ PlacementAttributes::PlacementAttributes(sdk::NodeType& type, const std::string&
             .type = "bool",
             .default_value = "true",
             .help = "Off: neither it nor what is under it is seen.",
-            .group = "Transform"});
+            .group = "Transform",
+            .of_picture = false});
 }
 
 Placement PlacementAttributes::read(const sdk::Context& context) const {

@@ -2,6 +2,7 @@
 //
 // attribute         unit
 // width, height     pixels
+// background        radiance: constant sky behind the media
 // camera            the camera that is looked through; none: the first one there is
 // fast.*, high.*    two complete sets of what core/scene/quality_parameters.h declares
 // fast.preset       name of the preset that the set was last taken from
@@ -11,6 +12,7 @@
 
 #include "core/scene/parameter_json.h"
 #include "core/scene/quality_parameters.h"
+#include "core/scene/scene_parameters.h"
 #include "host/nodes/core_attributes.h"
 #include "host/nodes/node_types.h"
 #include "shipped_presets.h"
@@ -61,6 +63,7 @@ void add_render_settings(sdk::Plugin& plugin) {
               .maximum = 32768,
               .soft_maximum = 4096,
               .keyable = false});
+  type.add(attribute_of(scene_parameters(), "background", {.group = "Picture"}));
   type.add({.name = "camera",
             .type = "node",
             .help = "The camera that is looked through; none: the first one there is.",

@@ -8,20 +8,11 @@
 // visibility      off hides what is under it as well
 // matrix          parent_from_own
 // inverse_matrix  own_from_parent
+#include "host/nodes/matrices.h"
 #include "host/nodes/node_types.h"
 #include "host/nodes/placement_attributes.h"
 
 namespace plinian::nodes {
-
-namespace {
-
-std::array<double, 16> columns(const dmat4& matrix) {
-  std::array<double, 16> result;
-  for (int i = 0; i < 16; ++i) result[std::size_t(i)] = matrix[i / 4][i % 4] + 0.0;  // no -0
-  return result;
-}
-
-}  // namespace
 
 void add_transform(sdk::Plugin& plugin) {
   sdk::NodeType type("transform");

@@ -7,11 +7,11 @@
 // KIND.NAME      the numbers that shape each kind, as core/media/procedural.h declares them
 // volume         what comes of it
 #include "core/media/procedural.h"
-#include "core/media/volume_data.h"
 #include "core/scene/scene_hash.h"
 #include "core/scene/scene_parameters.h"
 #include "host/nodes/core_attributes.h"
 #include "host/nodes/node_types.h"
+#include "host/sdk/volume_table.h"
 
 namespace plinian::nodes {
 
@@ -67,7 +67,7 @@ void add_volume_noise(sdk::Plugin& plugin) {
       type.add({.name = "volume",
                 .type = "data",
                 .help = "The medium's density, and its temperature where it is hot.",
-                .data_type = volume_data_type,
+                .data_type = PLINIAN_VOLUME_TYPE,
                 .output = true});
   type.compute = [=](sdk::Context& context, sdk::Attribute) {
     const Kind& chosen = kinds.at(std::size_t(context.number(kind)));
@@ -80,19 +80,17 @@ void add_volume_noise(sdk::Plugin& plugin) {
       const float value = float(context.number({chosen.first.index + std::int32_t(i)}));
       if (value != parameter.default_value) settings.shape[parameter.name] = value;
     }
-    auto made = std::make_unique<VolumeData>();
+    std::shared_ptr<const BrickVolume> made;
     try {
-      made->volume = make_procedural(settings, [&](double share) {
+      made = make_procedural(settings, [&](double share) {
         context.progress(share, "making " + chosen.name);
         return !context.cancelled();
       });
     } catch (const ProceduralCancelled&) {
       return;
     }
-    const std::size_t bytes = made->volume->bytes();
-    const std::uint64_t content = volume_hash(*made->volume);
-    context.set_data(volume, volume_data_type, std::unique_ptr<const VolumeData>(std::move(made)), bytes,
-                     content);
+    const std::uint64_t content = volume_hash(*made);
+    sdk::write_volume(context.plain(), volume.index, std::move(made), content);
   };
   plugin.add(type);
 }

@@ -12,18 +12,22 @@
 // missing              what is shown for a frame that is not there or cannot be read
 // reload               goes up where the file is to be read again
 // volume               what was read
+// space                object_from_file: connect it where the volume goes
+// facts                what the file says of itself
 // frame                of the sequence, that is shown
 // badge                why something else is shown than what was asked for; empty: nothing to say
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <tuple>
 
 #include "core/media/frame_sequence.h"
 #include "core/scene/scene_parameters.h"
 #include "host/nodes/core_attributes.h"
+#include "host/nodes/matrices.h"
 #include "host/nodes/node_types.h"
+#include "host/nodes/read_facts.h"
 #include "host/nodes/volume_store.h"
+#include "host/sdk/volume_table.h"
 
 namespace plinian::nodes {
 
@@ -36,14 +40,17 @@ enum class Missing { blank, hold, error };
 struct Attributes {
   Attribute file, grid, temperature_grid, level_set, frustum, up_axis, file_unit, time_limit, memory_limit,
       time, automatic_range, start, end, offset, speed, frames_per_second, scene_rate, use_source_frame,
-      source_frame, before, after, missing, reload, volume, frame, badge;
+      source_frame, before, after, missing, reload, volume, space, facts, frame, badge;
 };
 
 const char* const beyond_words = "hold,loop,ping_pong,blank";
 
 // What the outputs are told.
 struct Shown {
-  VolumeData data;
+  std::shared_ptr<const BrickVolume> volume;
+  std::shared_ptr<const VdbVolume> file;  // null where nothing is shown
+  dmat4 space{1.0};                       // object_from_file
+  std::string badge;
   std::uint64_t content = 0;
   int frame = 0;
 };
@@ -91,7 +98,7 @@ class Reader {
       if (std::binary_search(frames.begin(), frames.end(), at)) {
         try {
           Shown shown = read_file(pattern.path(at), frame);
-          shown.data.badge = badge;
+          shown.badge = badge;
           return shown;
         } catch (const VdbError& error) {
           if (policy == Missing::error) throw;
@@ -116,8 +123,8 @@ class Reader {
 
   Shown blank(const std::string& badge, int frame) {
     Shown shown;
-    shown.data.volume = std::make_shared<const BrickVolume>();
-    shown.data.badge = badge;
+    shown.volume = std::make_shared<const BrickVolume>();
+    shown.badge = badge;
     shown.frame = frame;
     shown.content = 1;
     return shown;
@@ -140,9 +147,9 @@ class Reader {
     const VolumeStore::Read read = store_.read(path, options, key);
     Shown shown;
     // Whoever holds the voxels holds the file's entry in the store with them.
-    shown.data.volume = {read.file, read.file->volume.get()};
-    shown.data.facts = read.file->facts;
-    shown.data.object_from_volume = orientation(read.file->facts.orientation).world_from_medium();
+    shown.volume = {read.file, read.file->volume.get()};
+    shown.file = read.file;
+    shown.space = orientation(read.file->facts.orientation).world_from_medium();
     shown.content = read.content;
     shown.frame = frame;
     return shown;
@@ -162,7 +169,7 @@ class Reader {
 };
 
 Attributes declare(sdk::NodeType& type) {
-  const std::string all = "volume frame badge";
+  const std::string all = "volume space facts frame badge";
   const auto& parameters = medium_parameters();
   Attributes a;
   a.file =
@@ -308,8 +315,18 @@ Attributes declare(sdk::NodeType& type) {
   a.volume = type.add({.name = "volume",
                        .type = "data",
                        .help = "The density that was read, and its temperature where there is one.",
-                       .data_type = volume_data_type,
+                       .data_type = PLINIAN_VOLUME_TYPE,
                        .output = true});
+  a.space = type.add({.name = "space",
+                      .type = "matrix",
+                      .help = "From the file's space to metres, y up: what the shape that draws it takes.",
+                      .output = true});
+  a.facts = type.add({.name = "facts",
+                      .type = "data",
+                      .help = "What the file says of itself.",
+                      .data_type = facts_type,
+                      .output = true,
+                      .hidden = true});
   a.frame = type.add({.name = "frame",
                       .type = "int",
                       .help = "The frame of the sequence that is shown.",
@@ -336,15 +353,13 @@ void add_volume_read(sdk::Plugin& plugin, std::shared_ptr<VolumeStore> store) {
       return;
     }
     context.set(a.frame, double(shown.frame));
-    context.set(a.badge, shown.data.badge);
-    const std::size_t bytes = shown.data.volume->bytes();
-    // The same voxels in another space are something else to whoever draws them.
-    std::uint64_t content = shown.content;
-    for (int i = 0; i < 16; ++i)
-      content = content * 0x9e3779b97f4a7c15ull +
-                std::bit_cast<std::uint64_t>(shown.data.object_from_volume[i / 4][i % 4]);
-    context.set_data(a.volume, volume_data_type, std::make_unique<const VolumeData>(std::move(shown.data)),
-                     bytes, content);
+    context.set(a.badge, shown.badge);
+    context.set(a.space, columns(shown.space));
+    if (shown.file)
+      context.set_data(a.facts, facts_type, std::make_unique<const VdbFacts>(shown.file->facts), 1024);
+    else
+      context.set_data(a.facts, facts_type, std::make_unique<const VdbFacts>(), 1024);
+    sdk::write_volume(context.plain(), a.volume.index, std::move(shown.volume), shown.content);
   };
   plugin.add(type);
 }

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "core/media/vdb_reader.h"
-#include "core/media/volume_data.h"
 
 namespace plinian::nodes {
 

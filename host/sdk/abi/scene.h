@@ -51,15 +51,19 @@ typedef struct PlinianMedium {
   const PlinianVolume* volume; /* of voxels */
   double object_from_medium[16]; /* beside the volume's own */
   float density_scale;           /* [1 / unit of the source] >= 0 */
-  float sigma_s[3], sigma_a[3];  /* [1/object unit] >= 0, scattering and absorption */
+  float sigma_s[3], sigma_a[3];  /* [1/m] >= 0, scattering and absorption; scaling a shape keeps them */
   uint32_t phase;                /* 0 isotropic, 1 Henyey-Greenstein, 2 Schlick, 3 two lobes */
   float g, g_back;               /* [-] in (-1, 1): mean cosine; of the second lobe */
   float blend;                   /* [-] in [0, 1]: share of the second lobe */
-  float emission_scale;          /* [radiance per object unit at 1800 K] >= 0; 0: none */
+  float emission_scale;          /* [radiance per m at 1800 K] >= 0; 0: none */
   float emission_exposure;       /* [stops] */
   float temperature_scale;       /* [K per stored kelvin] */
   float temperature_offset;      /* [K] */
 } PlinianMedium;
+
+/* Attributes of the data type "medium" hand on how a medium looks: a PlinianMedium of which shape,
+ * volume, name and matrix mean nothing. */
+#define PLINIAN_MEDIUM_TYPE "medium"
 
 typedef struct PlinianLight {
   size_t size;

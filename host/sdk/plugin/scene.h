@@ -1,8 +1,11 @@
 // What a shape adds to the picture: media, lights, cameras, bounds, in its own object space.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstring>
+#include <memory>
 #include <string>
 
 #include "host/sdk/abi.h"
@@ -56,6 +59,63 @@ namespace sdk __attribute__((visibility("hidden"))) {
     float pixel_aspect = 1.0f, near_clip = 0.0f;
   };
 
+  namespace detail {
+
+  // The C form; good as long as the medium.
+  inline PlinianMedium plain(const Medium& m) {
+    PlinianMedium plain{};
+    plain.size = sizeof(plain);
+    plain.name = m.name.c_str();
+    plain.shape = std::uint32_t(m.shape);
+    plain.volume = m.volume.handle;
+    std::copy(m.object_from_medium.begin(), m.object_from_medium.end(), plain.object_from_medium);
+    plain.density_scale = m.density_scale;
+    std::copy(m.sigma_s.begin(), m.sigma_s.end(), plain.sigma_s);
+    std::copy(m.sigma_a.begin(), m.sigma_a.end(), plain.sigma_a);
+    plain.phase = std::uint32_t(m.phase);
+    plain.g = m.g;
+    plain.g_back = m.g_back;
+    plain.blend = m.blend;
+    plain.emission_scale = m.emission_scale;
+    plain.emission_exposure = m.emission_exposure;
+    plain.temperature_scale = m.temperature_scale;
+    plain.temperature_offset = m.temperature_offset;
+    return plain;
+  }
+
+  }  // namespace detail
+
+  /// How a medium looks, as an input of the data type "medium" has it; the default look where
+  /// nothing is connected. Its name, shape, volume and matrix are left for the caller.
+  inline Medium look_of(const Context& context, Attribute input) {
+    Medium m;
+    const auto* from = static_cast<const PlinianMedium*>(context.data(input));
+    if (!from) return m;
+    PlinianMedium plain{};  // one that was made by an older plug-in is shorter
+    std::memcpy(&plain, from, std::min(sizeof(plain), from->size));
+    m.density_scale = plain.density_scale;
+    std::copy_n(plain.sigma_s, 3, m.sigma_s.begin());
+    std::copy_n(plain.sigma_a, 3, m.sigma_a.begin());
+    m.phase = PhaseKind(plain.phase);
+    m.g = plain.g;
+    m.g_back = plain.g_back;
+    m.blend = plain.blend;
+    m.emission_scale = plain.emission_scale;
+    m.emission_exposure = plain.emission_exposure;
+    m.temperature_scale = plain.temperature_scale;
+    m.temperature_offset = plain.temperature_offset;
+    return m;
+  }
+
+  /// Hands a look on, through an output of the data type "medium". content: equal for equal looks.
+  inline void set_look(Context & context, Attribute output, const Medium& look, std::uint64_t content) {
+    auto plain = std::make_unique<PlinianMedium>(detail::plain(look));
+    plain->name = nullptr;
+    plain->volume = nullptr;
+    context.set_data(output, PLINIAN_MEDIUM_TYPE, std::unique_ptr<const PlinianMedium>(std::move(plain)),
+                     sizeof(PlinianMedium), content);
+  }
+
   /// Takes what a shape contributes. Throws Error for what makes no sense.
   class Contribution {
    public:
@@ -63,23 +123,7 @@ namespace sdk __attribute__((visibility("hidden"))) {
         : table_(table), contribution_(contribution), context_(context) {}
 
     void add(const Medium& m) {
-      PlinianMedium plain{};
-      plain.size = sizeof(plain);
-      plain.name = m.name.c_str();
-      plain.shape = std::uint32_t(m.shape);
-      plain.volume = m.volume.handle;
-      std::copy(m.object_from_medium.begin(), m.object_from_medium.end(), plain.object_from_medium);
-      plain.density_scale = m.density_scale;
-      std::copy(m.sigma_s.begin(), m.sigma_s.end(), plain.sigma_s);
-      std::copy(m.sigma_a.begin(), m.sigma_a.end(), plain.sigma_a);
-      plain.phase = std::uint32_t(m.phase);
-      plain.g = m.g;
-      plain.g_back = m.g_back;
-      plain.blend = m.blend;
-      plain.emission_scale = m.emission_scale;
-      plain.emission_exposure = m.emission_exposure;
-      plain.temperature_scale = m.temperature_scale;
-      plain.temperature_offset = m.temperature_offset;
+      const PlinianMedium plain = detail::plain(m);
       context_.check(table_.add_medium(contribution_, &plain));
     }
     void add(const Light& l) {

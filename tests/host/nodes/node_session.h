@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/media/vdb_writer.h"
-#include "core/media/volume_data.h"
 #include "host/graph/commands/session.h"
 #include "host/nodes/built_in.h"
+#include "host/sdk/volume_table.h"
 #include "tests/core/scene/temporary_folder.h"
 
 namespace plinian {
@@ -40,10 +40,9 @@ struct NodeSession : graph::Session {
     return found == counters.end() ? 0 : found->second;
   }
   /// The volume that an output hands on now; null where it failed.
-  const VolumeData* volume(const std::string& plug) {
+  std::shared_ptr<const BrickVolume> volume(const std::string& plug) {
     const graph::ResultPtr result = evaluator().evaluate(graph().plug(plug));
-    if (result->error) return nullptr;
-    return static_cast<const VolumeData*>(std::get<graph::DataPtr>(result->value)->object.get());
+    return result->error ? nullptr : sdk::volume_in(result->value);
   }
 };
 

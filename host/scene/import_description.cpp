@@ -1,0 +1,341 @@
+// A description made into nodes. What it leaves open is filled in by core's own functions (scene_loader.h),
+// so that a scene is the same whichever way it comes.
+#include "host/scene/import_description.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "core/media/frame_sequence.h"
+#include "core/scene/medium_loader.h"
+#include "core/scene/scene_loader.h"
+#include "core/scene/scene_parameters.h"
+#include "host/graph/graph_error.h"
+#include "host/nodes/read_facts.h"
+#include "host/scene/snapshot.h"
+#include "host/sdk/volume_table.h"
+
+namespace plinian::scene {
+
+namespace fs = std::filesystem;
+using graph::quote;
+using graph::write_number;
+
+namespace {
+
+std::string words_of(float value) {
+  return write_number(value);
+}
+std::string words_of(double value) {
+  return write_number(value);
+}
+std::string words_of(const vec2& v) {
+  return write_number(v.x) + " " + write_number(v.y);
+}
+std::string words_of(const vec3& v) {
+  return write_number(v.x) + " " + write_number(v.y) + " " + write_number(v.z);
+}
+std::string words_of(const dvec3& v) {
+  return write_number(v.x) + " " + write_number(v.y) + " " + write_number(v.z);
+}
+std::string words_of(const std::string& text) {
+  return quote(text);
+}
+
+// The word of an enumeration that a table of parameters declares.
+template <class T, class Enum>
+std::string word_of(const std::vector<Parameter<T>>& table, const char* parameter, Enum value) {
+  return find_parameter(table, parameter)->spec.choices.at(std::size_t(value));
+}
+
+class Importer {
+ public:
+  Importer(graph::Session& session, const SceneDescription& description, const ImportOptions& options)
+      : session_(session), description_(description), options_(options) {}
+
+  ImportReport run() {
+    for (const MediumDescription& medium : description_.media) check_medium(medium);
+    need_shape_type();
+    make_nodes();
+    if (options_.nodes_made) options_.nodes_made();
+    fill_media();
+    const SceneBounds bounds = scene_bounds(media_);
+    const ivec2 size = description_.size.value_or(ivec2(512));
+    const Camera camera = make_camera(description_, bounds, size, told_);
+    fill_camera(camera);
+    for (std::size_t i = 0; i < description_.lights.size(); ++i)
+      fill_light(light_nodes_[i], description_.lights[i],
+                 make_light(description_, description_.lights[i], camera, bounds, told_));
+    command("select -clear");
+    return {std::move(told_.notes), std::move(told_.warnings), told_.seed};
+  }
+
+ private:
+  struct MediumNodes {
+    std::string medium, place, shape, source;  // source: empty for an analytic one
+    std::vector<int> frames;                   // of a sequence
+  };
+
+  std::string command(const std::string& line) {
+    const graph::CommandResult answers = session_.execute(line);
+    return answers.empty() ? "" : answers.front();
+  }
+  std::string create(const std::string& type, const std::string& name, const std::string& parent = "") {
+    return command("createNode " + type + " -name " + quote(node_name_of(name)) +
+                   (parent.empty() ? "" : " -parent " + parent));
+  }
+  template <class T>
+  void set(const std::string& plug, const T& value) {
+    command("setAttr " + plug + " " + words_of(value));
+  }
+  void set_word(const std::string& plug, const std::string& word) { command("setAttr " + plug + " " + word); }
+
+  void need_shape_type() {
+    if (!session_.types().find("atfmVolume")) command("loadPlugin atfm");
+  }
+
+  void make_nodes() {
+    const std::string settings = create("renderSettings", "settings");
+    if (description_.size) {
+      set_word(settings + ".width", std::to_string(description_.size->x));
+      set_word(settings + ".height", std::to_string(description_.size->y));
+    }
+    set(settings + ".background", background_of(description_));
+    for (const MediumDescription& medium : description_.media) medium_nodes_.push_back(make_medium(medium));
+    camera_node_ = create("camera", "camera");
+    for (const LightDescription& light : description_.lights)
+      light_nodes_.push_back(create(light.type == LightType::spot    ? "spotLight"
+                                    : light.type == LightType::point ? "pointLight"
+                                                                     : "directionalLight",
+                                    light.name));
+    if (const vec3 ambient = ambient_of(description_); ambient != vec3(0.0f))
+      set(create("ambientLight", "sky") + ".colour", ambient);
+  }
+
+  MediumNodes make_medium(const MediumDescription& d) {
+    const std::string name = d.name.empty() ? "medium" : d.name;
+    const MediumSource source = medium_source(d);
+    MediumNodes nodes;
+    nodes.place = create("transform", name + "_place");
+    nodes.medium = create("medium", name);
+    if (source == MediumSource::file) nodes.source = make_reader(d, name, nodes.frames);
+    if (source == MediumSource::procedural) nodes.source = make_noise(d, name);
+    nodes.shape = create("atfmVolume", name + "_shape", nodes.place);
+    if (source == MediumSource::analytic) set_word(nodes.shape + ".draw", d.volume);
+    if (!nodes.source.empty()) command("connectAttr " + nodes.source + ".volume " + nodes.shape + ".volume");
+    if (source == MediumSource::file)
+      command("connectAttr " + nodes.source + ".space " + nodes.shape + ".space");
+    command("connectAttr " + nodes.medium + ".out " + nodes.shape + ".medium");
+    const Placement placement = medium_placement(d);
+    set(nodes.place + ".translate", placement.translate);
+    set(nodes.place + ".rotate", placement.rotate);
+    set(nodes.place + ".scale", placement.scale);
+    return nodes;
+  }
+
+  std::string make_reader(const MediumDescription& d, const std::string& name, std::vector<int>& frames) {
+    const std::string node = create("volumeRead", name + "_file");
+    const std::string path = medium_path(d);
+    set(node + ".file", fs::absolute(path).lexically_normal().string());
+    const VdbOptions vdb = medium_vdb_options(d);
+    set(node + ".grid", vdb.grid);
+    set(node + ".temperature_grid", vdb.temperature_grid);
+    set_word(node + ".level_set", word_of(medium_parameters(), "level_set", vdb.level_set));
+    set_word(node + ".frustum", word_of(medium_parameters(), "frustum", vdb.frustum));
+    set(node + ".time_limit", options_.vdb_time_limit_s);
+    set(node + ".memory_limit", double(options_.vdb_memory_limit_bytes));
+    const auto pattern = FramePattern::parse(path);
+    if (!pattern || fs::exists(path)) return node;
+    frames = pattern->frames_on_disk();
+    const std::string time = session_.graph().find(session_.time_node())->name;
+    command("connectAttr " + time + ".out " + node + ".time");
+    command("connectAttr " + time + ".rate " + node + ".scene_rate");
+    set(time + ".start", double(frames.front()));
+    set(time + ".end", double(frames.back()));
+    return node;
+  }
+
+  std::string make_noise(const MediumDescription& d, const std::string& name) {
+    const std::string node = create("volumeNoise", name + "_noise");
+    const ProceduralSettings settings = medium_procedural(d);
+    set_word(node + ".kind", settings.kind);
+    set_word(node + ".resolution", std::to_string(settings.resolution));
+    set_word(node + ".seed", std::to_string(settings.seed));
+    const auto known = procedural_parameters(settings.kind);
+    for (const auto& [parameter, value] : settings.shape) {
+      std::vector<std::string> names;
+      for (const ProceduralParameter& p : known) {
+        names.push_back(p.name);
+        if (p.name == parameter && !(value >= p.low && value <= p.high))
+          throw std::runtime_error(
+              fmt::format("{}: {} {} is not in [{}, {}]", settings.kind, parameter, value, p.low, p.high));
+      }
+      if (std::find(names.begin(), names.end(), parameter) == names.end())
+        throw std::runtime_error(fmt::format("{}: no parameter '{}'; there are: {}", settings.kind, parameter,
+                                             fmt::join(names, ", ")));
+      set(node + "." + settings.kind + "." + parameter, value);
+    }
+    return node;
+  }
+
+  void fill_media() {
+    for (std::size_t i = 0; i < medium_nodes_.size(); ++i) {
+      const MediumNodes& nodes = medium_nodes_[i];
+      const MediumDescription& d = description_.media[i];
+      share_ = double(i) / double(medium_nodes_.size());
+      std::shared_ptr<const BrickVolume> volume;
+      VdbFacts facts;
+      if (!nodes.source.empty()) volume = read_volume(nodes);
+      if (medium_source(d) == MediumSource::file) {
+        const auto data = std::get<graph::DataPtr>(evaluate(nodes.source + ".facts"));
+        facts = *static_cast<const VdbFacts*>(data->object.get());
+        const VdbOrientation space = medium_orientation(d, facts);
+        set_word(nodes.source + ".up_axis", std::string(1, space.up_axis));
+        set(nodes.source + ".file_unit", space.file_unit);
+      }
+      media_.push_back(finish_medium(d, std::move(volume), &facts, told_));
+      fill_medium(nodes.medium, d, media_.back());
+    }
+  }
+
+  // The volume to set the scene up by: of a sequence, the first frame that shows anything.
+  std::shared_ptr<const BrickVolume> read_volume(const MediumNodes& nodes) {
+    const std::string plug = nodes.source + ".volume";
+    if (nodes.frames.empty()) return sdk::volume_in(evaluate(plug));
+    std::shared_ptr<const BrickVolume> volume;
+    for (const int frame : nodes.frames) {
+      command("currentTime " + std::to_string(frame));
+      volume = sdk::volume_in(evaluate(plug));
+      if (volume->empty()) continue;
+      told_.notes.push_back(
+          fmt::format("{} frames, {} to {}; set up by frame {}{}", nodes.frames.size(), nodes.frames.front(),
+                      nodes.frames.back(), frame,
+                      frame == nodes.frames.front() ? "" : ", the first that shows anything"));
+      return volume;
+    }
+    command("currentTime " + std::to_string(nodes.frames.front()));
+    told_.warnings.push_back("none of the sequence's frames shows anything");
+    return sdk::volume_in(evaluate(plug));
+  }
+
+  graph::Value evaluate(const std::string& name) {
+    const graph::Plug plug = session_.graph().plug(name);
+    const bool finished = compute_plugs(session_, {plug}, [&](double part) {
+      return !options_.progress || options_.progress(share_ + part / double(medium_nodes_.size()));
+    });
+    if (!finished) throw SceneLoadCancelled();
+    const graph::ResultPtr result = session_.evaluator().evaluate(plug);
+    session_.evaluator().take_reports();
+    if (result->error) throw std::runtime_error(result->error->message);
+    return result->value;
+  }
+
+  void fill_medium(const std::string& node, const MediumDescription& d, const Medium& medium) {
+    set(node + ".density_scale", medium.density_scale);
+    set_coefficients(node, d, medium);
+    set_word(node + ".phase", word_of(medium_parameters(), "phase", medium.phase.kind));
+    set(node + ".g", medium.phase.g);
+    set(node + ".g_back", medium.phase.g_back);
+    set(node + ".blend", medium.phase.blend);
+    set(node + ".emission_scale", medium.emission.scale);
+    set(node + ".emission_exposure", medium.emission.exposure);
+    set(node + ".temperature_scale", medium.emission.temperature_scale);
+    set(node + ".temperature_offset", medium.emission.temperature_offset);
+  }
+
+  // Albedo and extinction where they say the same to the bit, else the coefficients themselves.
+  void set_coefficients(const std::string& node, const MediumDescription& d, const Medium& medium) {
+    const vec3 sum = medium.sigma_s + medium.sigma_a;
+    vec3 share(0.0f);
+    for (int i = 0; i < 3; ++i)
+      if (sum[i] > 0.0f) share[i] = medium.sigma_s[i] / sum[i];
+    for (const auto& [albedo, extinction] : {std::pair(d.albedo.value_or(share), d.extinction.value_or(sum)),
+                                             std::pair(medium.sigma_s, vec3(1.0f))}) {
+      if (d.sigma_s || d.sigma_a || extinction * albedo != medium.sigma_s ||
+          extinction * (vec3(1.0f) - albedo) != medium.sigma_a)
+        continue;
+      set(node + ".albedo", albedo);
+      set(node + ".extinction", extinction);
+      return;
+    }
+    set_word(node + ".coefficients", "sigma");
+    set(node + ".sigma_s", medium.sigma_s);
+    set(node + ".sigma_a", medium.sigma_a);
+  }
+
+  void fill_camera(const Camera& camera) {
+    const std::string& node = camera_node_;
+    set(node + ".translate", dvec3(camera.world_from_camera[3]));
+    set(node + ".rotate", angles_of(camera.world_from_camera));
+    set(node + ".focal_length", camera.focal_length);
+    set(node + ".film_back", camera.film_back);
+    set_word(node + ".film_fit", word_of(camera_parameters(), "film_fit", camera.fit));
+    set(node + ".film_offset", camera.film_offset);
+    set(node + ".pixel_aspect", camera.pixel_aspect);
+    set(node + ".near_clip", double(camera.near_clip));
+  }
+
+  void fill_light(const std::string& node, const LightDescription& d, const Light& light) {
+    if (light.type != LightType::directional) set(node + ".translate", dvec3(light.position));
+    if (light.type != LightType::point) set(node + ".rotate", angles_toward(direction_of(light.toward)));
+    if (d.kelvin && !d.irradiance) {
+      set_word(node + ".use_kelvin", "true");
+      set(node + ".kelvin", *d.kelvin);
+    } else {
+      set(node + ".colour", light.colour);
+    }
+    set(node + ".intensity", light.intensity);
+    set(node + ".exposure", light.exposure);
+    if (light.type != LightType::directional) {
+      set_word(node + ".falloff", word_of(light_parameters(), "falloff", light.falloff));
+      set(node + ".radius", double(light.radius));
+    }
+    if (light.type == LightType::spot) {
+      set(node + ".cone_angle", double(light.cone_angle));
+      set(node + ".penumbra", double(light.penumbra));
+    }
+  }
+
+  graph::Session& session_;
+  const SceneDescription& description_;
+  const ImportOptions& options_;
+  std::vector<MediumNodes> medium_nodes_;
+  std::string camera_node_;
+  std::vector<std::string> light_nodes_;
+  std::vector<Medium> media_;
+  LoadedScene told_;
+  double share_ = 0.0;  // of the media that have been read
+};
+
+}  // namespace
+
+std::string node_name_of(const std::string& name) {
+  std::string result = name;
+  for (char& c : result)
+    if (!std::isalnum((unsigned char)c) && c != '_') c = '_';
+  if (result.empty() || std::isdigit((unsigned char)result[0])) result.insert(0, "_");
+  return result;
+}
+
+dvec3 direction_of(const vec3& toward) {
+  // Between the unit sphere and the box of what rounds to the vector, until both hold.
+  dvec3 direction = glm::normalize(dvec3(toward));
+  for (int turn = 0; turn < 1000 && vec3(direction) != toward; ++turn) {
+    for (int i = 0; i < 3; ++i) {
+      const double below = 0.5 * (double(std::nextafter(toward[i], -2.0f)) - double(toward[i]));
+      const double above = 0.5 * (double(std::nextafter(toward[i], 2.0f)) - double(toward[i]));
+      direction[i] =
+          std::clamp(direction[i], double(toward[i]) + 0.9 * below, double(toward[i]) + 0.9 * above);
+    }
+    direction = glm::normalize(direction);
+  }
+  return direction;
+}
+
+ImportReport import_description(graph::Session& session, const SceneDescription& description,
+                                const ImportOptions& options) {
+  return Importer(session, description, options).run();
+}
+
+}  // namespace plinian::scene
