@@ -36,8 +36,9 @@ const std::set<std::string> sources = {".h", ".cpp", ".comp", ".glsl"};
 
 // The folder that decides what a file may use.
 std::string layer_of(const std::string& path) {
-  for (const char* layer : {"host/cli/", "host/window/", "host/graph/", "host/sdk/", "host/nodes/", "host/scene/",
-                            "host/plugins/", "host/", "viewport/", "core/", "tests/"})
+  for (const char* layer :
+       {"host/cli/", "host/window/", "host/graph/", "host/sdk/", "host/nodes/", "host/scene/", "host/draw/",
+        "host/plugins/", "host/", "viewport/", "core/", "tests/"})
     if (path.starts_with(layer)) return std::string(layer);
   return "";
 }
@@ -51,12 +52,15 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"host/nodes/", {"core/", "host/graph/", "host/sdk/"}},
     {"host/plugins/", {"host/sdk/"}},
     {"host/scene/", {"core/", "host/graph/", "host/sdk/", "host/nodes/"}},
+    {"host/draw/", {"core/", "viewport/", "host/graph/", "host/sdk/"}},
     {"host/", {"core/", "host/graph/", "host/sdk/", "host/nodes/", "host/scene/"}},
-    {"host/cli/", {"core/", "viewport/", "host/", "host/graph/", "host/sdk/", "host/nodes/", "host/scene/"}},
-    {"host/window/", {"core/", "viewport/", "host/", "host/graph/", "host/sdk/", "host/nodes/", "host/scene/"}},
+    {"host/cli/",
+     {"core/", "viewport/", "host/", "host/graph/", "host/sdk/", "host/nodes/", "host/scene/", "host/draw/"}},
+    {"host/window/",
+     {"core/", "viewport/", "host/", "host/graph/", "host/sdk/", "host/nodes/", "host/scene/", "host/draw/"}},
     {"tests/",
-     {"core/", "viewport/", "host/", "host/graph/", "host/sdk/", "host/nodes/", "host/scene/", "host/cli/",
-      "host/window/"}},
+     {"core/", "viewport/", "host/", "host/graph/", "host/sdk/", "host/nodes/", "host/scene/", "host/draw/",
+      "host/cli/", "host/window/"}},
 };
 
 // Includes that are forbidden, one line each.

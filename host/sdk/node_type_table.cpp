@@ -4,8 +4,7 @@
 #include "host/graph/files/attribute_declaration.h"
 #include "host/graph/graph_error.h"
 #include "host/graph/values/value_text.h"
-#include "host/sdk/contribute_table.h"
-#include "host/sdk/contribution.h"
+#include "host/sdk/hidden_outputs.h"
 #include "host/sdk/plain_text.h"
 
 namespace plinian::sdk {
@@ -93,39 +92,6 @@ const PlinianMigrate migrate_table = {
                     [&](const graph::StoredAttribute& attribute) { return attribute.path == text_of(path); });
     }};
 
-bool of_picture(const PlinianAttribute& attribute) {
-  return !(attribute.flags & (PLINIAN_ATTRIBUTE_NOT_OF_PICTURE | PLINIAN_ATTRIBUTE_OUTPUT));
-}
-
-// Makes a type a shape: one more output, which all inputs affect that are of the picture.
-void add_contribution(graph::NodeTypeSpec& spec, const PlinianNodeType& from,
-                      const std::shared_ptr<DataCount>& data) {
-  const std::vector<PlinianAttribute> attributes = all_of(from.attributes, from.attribute_count);
-  for (std::size_t i = 0; i < attributes.size(); ++i)
-    if (of_picture(attributes[i])) spec.attributes[i].affects.push_back(contribution_output);
-  spec.attributes.push_back({.name = contribution_output,
-                             .type = graph::AttributeType::data,
-                             .help = "What the shape adds to the picture.",
-                             .data_type = contribution_type,
-                             .output = true,
-                             .connectable = false,
-                             .hidden = true,
-                             .read_only = true});
-  spec.hierarchical = true;
-  const graph::AttributeIndex output = graph::Schema(spec.attributes).find(contribution_output);
-  spec.compute = [compute = from.compute, contribute = from.contribute, user = from.user, data, output](
-                     graph::ComputeContext& context, graph::AttributeIndex wanted) {
-    ComputeState state(context, data);
-    if (wanted == output) {
-      context.set_output(output, contribution_by(contribute, user, state));
-      return;
-    }
-    if (!compute) throw GraphError("the type has no compute function");
-    compute(user, &compute_table, state.plain(), wanted);
-    if (!state.failure.empty()) throw GraphError(state.failure);
-  };
-}
-
 }  // namespace
 
 graph::NodeTypeSpec node_type_from(const PlinianNodeType* plain, const std::shared_ptr<DataCount>& data) {
@@ -146,15 +112,7 @@ graph::NodeTypeSpec node_type_from(const PlinianNodeType* plain, const std::shar
     if (equals == alias.npos) throw GraphError("node type '" + spec.name + "': an alias is written old=new");
     spec.aliases.push_back({alias.substr(0, equals), alias.substr(equals + 1)});
   }
-  if (from.contribute)
-    add_contribution(spec, from, data);
-  else if (from.compute)
-    spec.compute = [compute = from.compute, user = from.user, data](graph::ComputeContext& context,
-                                                                    graph::AttributeIndex output) {
-      ComputeState state(context, data);
-      compute(user, &compute_table, state.plain(), output);
-      if (!state.failure.empty()) throw GraphError(state.failure);
-    };
+  add_hidden_outputs(spec, from, data);
   if (from.migrate)
     for (int version = 1; version < spec.version; ++version)
       spec.migrators.push_back(

@@ -185,6 +185,8 @@ void PluginManager::enter(Library& library) {
     session_.file_types().add(std::move(type));
     library.file_types.push_back(name);
   }
+  for (const DrawOverride& override : registrar.draw_overrides)
+    draw_overrides_[override.node_type] = std::make_shared<const DrawOverride>(override);
   for (MenuItem& entry : registrar.menu) {
     for (const MenuItem& other : menu_)
       if (other.path == entry.path)
@@ -196,7 +198,10 @@ void PluginManager::enter(Library& library) {
 
 // Nobody finds what the plug-in registered any more.
 void PluginManager::withdraw(const Library& library) {
-  for (const graph::NodeTypePtr& type : library.types) session_.types().remove(type->name());
+  for (const graph::NodeTypePtr& type : library.types) {
+    session_.types().remove(type->name());
+    draw_overrides_.erase(type->name());
+  }
   for (const std::string& command : library.commands) session_.commands().remove(command);
   for (const std::string& type : library.data_types) session_.types().remove_data_type(type);
   for (const std::string& type : library.file_types) session_.file_types().remove(type);
@@ -244,6 +249,9 @@ void PluginManager::unload(const std::string& name, bool force) {
 }
 
 void PluginManager::remove(Library& library) {
+  for (const graph::NodeTypePtr& type : library.types)
+    if (draw_overrides_.contains(type->name()))
+      for (DrawOverrideListener* listener : listeners_) listener->goes(type->name());
   for (const graph::NodeTypePtr& type : library.types) graph::forget_type(session_.editor(), type);
   for (const std::string& type : library.data_types) graph::forget_data(session_.editor(), type);
   // Steps of undo would bring back nodes whose code is gone.
@@ -260,6 +268,11 @@ void PluginManager::remove(Library& library) {
   // it stays.
   if (library.handle && library.registrar.data->objects == 0) ::dlclose(library.handle);
   libraries_.erase(std::string(library.description.name));
+}
+
+DrawOverridePtr PluginManager::draw_override(const std::string& node_type) const {
+  const auto found = draw_overrides_.find(node_type);
+  return found == draw_overrides_.end() ? nullptr : found->second;
 }
 
 std::vector<PluginManager::Loaded> PluginManager::plugins() const {

@@ -13,6 +13,14 @@
 
 namespace plinian::sdk {
 
+/// Is told before the draw override of a node type goes with its plug-in: the last moment to release what it
+/// made.
+class DrawOverrideListener {
+ public:
+  virtual ~DrawOverrideListener() = default;
+  virtual void goes(const std::string& node_type) = 0;
+};
+
 class PluginManager {
  public:
   /// Adds the commands loadPlugin, unloadPlugin and pluginInfo to the session, and loads by itself what a
@@ -46,6 +54,10 @@ class PluginManager {
   std::vector<Loaded> plugins() const;
   /// Entries of menus that plug-ins bring, in the order of registration.
   const std::vector<MenuItem>& menu() const { return menu_; }
+  /// The draw override of a node type, or null.
+  DrawOverridePtr draw_override(const std::string& node_type) const;
+  void add_listener(DrawOverrideListener* listener) { listeners_.push_back(listener); }
+  void remove_listener(DrawOverrideListener* listener) { std::erase(listeners_, listener); }
   /// What plug-ins hear; whoever else wants to may listen too.
   EventHub& events() { return events_; }
   const std::vector<std::filesystem::path>& folders() const { return folders_; }
@@ -63,6 +75,8 @@ class PluginManager {
   graph::Session& session_;
   EventHub events_{session_};
   std::vector<MenuItem> menu_;
+  std::map<std::string, DrawOverridePtr> draw_overrides_;  // by node type
+  std::vector<DrawOverrideListener*> listeners_;
   std::vector<std::filesystem::path> folders_;
   std::map<std::string, std::unique_ptr<Library>> libraries_;
 };

@@ -35,8 +35,11 @@ PluginRegistrar::PluginRegistrar(EventHub* events) : events_(events) {
   host_.abi_minor = PLINIAN_ABI_MINOR;
   host_.self = this;
   host_.register_node_type = [](void* self, const PlinianNodeType* type) {
-    return registered(self,
-                      [&](PluginRegistrar& r) { r.node_types.push_back(node_type_from(type, r.data)); });
+    return registered(self, [&](PluginRegistrar& r) {
+      r.node_types.push_back(node_type_from(type, r.data));
+      if (const PlinianNodeType from = whole(type); from.draw)
+        r.draw_overrides.push_back({text_of(from.name), whole(from.draw)});
+    });
   };
   host_.register_command = [](void* self, const PlinianCommand* command) {
     return registered(self, [&](PluginRegistrar& r) { r.commands.push_back(command_from(command)); });
@@ -116,6 +119,7 @@ void PluginRegistrar::clear() {
   data_types.clear();
   file_types.clear();
   menu.clear();
+  draw_overrides.clear();
 }
 
 }  // namespace plinian::sdk

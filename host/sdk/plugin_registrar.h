@@ -12,6 +12,7 @@
 #include "host/sdk/abi.h"
 #include "host/sdk/command_table.h"
 #include "host/sdk/data_count.h"
+#include "host/sdk/draw_override.h"
 #include "host/sdk/event_hub.h"
 
 namespace plinian::sdk {
@@ -37,6 +38,7 @@ class PluginRegistrar {
   std::vector<graph::DataType> data_types;
   std::vector<graph::FileType> file_types;
   std::vector<MenuItem> menu;
+  std::vector<DrawOverride> draw_overrides;
   std::map<std::uint64_t, EventHub::Subscription> subscriptions;
   std::string error;  // of the first thing that failed
   const std::shared_ptr<DataCount> data = std::make_shared<DataCount>();

@@ -22,6 +22,22 @@ run(${CMAKE_COMMAND} -S ${SOURCE}/tests/install/plugin -B ${WORK}/plugin -G Ninj
     -DCMAKE_PREFIX_PATH=${WORK}/prefix)
 run(${CMAKE_COMMAND} --build ${WORK}/plugin)
 
+# The tutorial's, as it is and with the other strings of the C++ library; a program of the tests loads both.
+foreach(name marker marker_old)
+  set(definitions "")
+  if(name STREQUAL marker_old)
+    set(definitions -DCMAKE_CXX_FLAGS=-D_GLIBCXX_USE_CXX11_ABI=0)
+  endif()
+  run(${CMAKE_COMMAND} -S ${SOURCE}/tests/install/tutorial -B ${WORK}/${name} -G Ninja -DCMAKE_BUILD_TYPE=Release
+      -DCMAKE_PREFIX_PATH=${WORK}/prefix ${definitions})
+  run(${CMAKE_COMMAND} --build ${WORK}/${name})
+  file(COPY_FILE ${WORK}/${name}/marker.so ${WORK}/tutorial_${name}.so)
+endforeach()
+file(MAKE_DIRECTORY ${WORK}/tutorial)
+file(RENAME ${WORK}/tutorial_marker.so ${WORK}/tutorial/marker.so)
+file(RENAME ${WORK}/tutorial_marker_old.so ${WORK}/tutorial/marker_old.so)
+run(${CMAKE_COMMAND} -E env PLINIAN_TUTORIAL=${WORK}/tutorial ${BUILD}/tests/host/draw/draw_test --gtest_filter=*Tutorial*)
+
 set(program ${WORK}/prefix/bin/plinian)
 run(${program} --version)
 run(${program} make ash --resolution 16 -o ${WORK}/ash.vdb)

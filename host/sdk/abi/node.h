@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "host/sdk/abi/data_type.h"
+#include "host/sdk/abi/draw.h"
 #include "host/sdk/abi/scene.h"
 
 #ifdef __cplusplus
@@ -47,8 +48,7 @@ typedef struct PlinianAttribute {
 /* What a compute function sees of the world. element: -1 where the attribute is no array. time: the
  * frame at which the input is read; null for the present. A failure is remembered, and becomes the error of
  * the output. */
-typedef struct PlinianContext PlinianContext;
-typedef struct PlinianCompute {
+struct PlinianCompute {
   size_t size;
   int (*read_number)(PlinianContext*, int32_t attribute, int32_t element, const double* time, double* value);
   int (*read_vector)(PlinianContext*, int32_t attribute, int32_t element, const double* time, float value[4]);
@@ -86,7 +86,7 @@ typedef struct PlinianCompute {
   /* The voxels of a box, x fastest; temperature may be null. */
   int (*read_voxels)(PlinianContext*, const PlinianVolume*, const int32_t first[3], const int32_t count[3],
                      float* density, float* temperature);
-} PlinianCompute;
+};
 
 /* The attributes of one node in an older scene. */
 typedef struct PlinianMigration PlinianMigration;
@@ -115,6 +115,8 @@ typedef struct PlinianNodeType {
    * PLINIAN_NODE_HIERARCHICAL; null: no shape. */
   void (*contribute)(void* user, const PlinianCompute*, PlinianContext*, const PlinianContribute*,
                      PlinianContribution*);
+  /* What only a viewport shows of the nodes; null: nothing. */
+  const PlinianDraw* draw;
 } PlinianNodeType;
 
 #define PLINIAN_NODE_NOT_CONCURRENT 1u /* compute may not run on several threads at a time */

@@ -10,6 +10,7 @@
 
 #include "host/sdk/abi.h"
 #include "host/sdk/plugin/context.h"
+#include "host/sdk/plugin/draw.h"
 #include "host/sdk/plugin/scene.h"
 
 namespace plinian {
@@ -77,6 +78,8 @@ namespace sdk __attribute__((visibility("hidden"))) {
     /// Makes the type a shape: adds what the node shows in every picture. All inputs affect it, but those
     /// declared otherwise (of_picture).
     std::function<void(Context&, Contribution&)> contribute;
+    /// What only a viewport shows of the nodes: draw_override(Draw<Data, Resources>{...}).
+    std::optional<AnyDraw> draw;
     /// From version `from` to the next one.
     std::function<void(int from, Migration&)> migrate;
 
@@ -167,6 +170,11 @@ namespace sdk __attribute__((visibility("hidden"))) {
             },
             [&](const char* message) { table->fail(context, message); });
       };
+    PlinianDraw draw{};
+    if (type.draw) {
+      draw = detail::plain(*type.draw);
+      plain.draw = &draw;
+    }
     if (type.migrate)
       plain.migrate = [](void* user, std::int32_t from, const PlinianMigrate* table,
                          PlinianMigration* migration) {
