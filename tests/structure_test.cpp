@@ -163,6 +163,22 @@ TEST(Structure, EverySourceIsListedInTheCMakeListsOfItsFolder) {
     }
 }
 
+// What the README shows of the tutorial's plug-in is what is built and run by the installation's test.
+TEST(Structure, TheReadmeShowsTheTutorialAsItIs) {
+  const std::string readme = text_of(root / "README.md");
+  const std::size_t begin = readme.find("\n## Plug-ins\n"), end = readme.find("\n## ", begin + 1);
+  ASSERT_NE(begin, std::string::npos);
+  const std::string chapter = readme.substr(begin, end - begin);
+  const std::string shown = text_of(root / "tests/install/tutorial/marker.cpp") +
+                            text_of(root / "tests/install/tutorial/CMakeLists.txt");
+  const std::regex block("```c[a-z]+\n([^`]*)```");
+  int blocks = 0;
+  for (std::sregex_iterator match(chapter.begin(), chapter.end(), block), none; match != none;
+       ++match, ++blocks)
+    EXPECT_NE(shown.find((*match)[1]), std::string::npos) << (*match)[1];
+  EXPECT_GE(blocks, 5);
+}
+
 TEST(Structure, NothingStandsAtTheTopThatDoesNotBelongThere) {
   const std::set<std::string> known = {"core",
                                        "viewport",

@@ -15,6 +15,7 @@
 #include "host/sdk/abi/data_type.h"
 #include "host/sdk/abi/draw.h"
 #include "host/sdk/abi/event.h"
+#include "host/sdk/abi/handle.h"
 #include "host/sdk/abi/node.h"
 #include "host/sdk/abi/scene.h"
 

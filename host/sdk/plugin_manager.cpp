@@ -187,6 +187,7 @@ void PluginManager::enter(Library& library) {
   }
   for (const DrawOverride& override : registrar.draw_overrides)
     draw_overrides_[override.node_type] = std::make_shared<const DrawOverride>(override);
+  for (auto& [type, handles] : registrar.handles) handles_[type] = std::move(handles);
   for (MenuItem& entry : registrar.menu) {
     for (const MenuItem& other : menu_)
       if (other.path == entry.path)
@@ -201,6 +202,7 @@ void PluginManager::withdraw(const Library& library) {
   for (const graph::NodeTypePtr& type : library.types) {
     session_.types().remove(type->name());
     draw_overrides_.erase(type->name());
+    handles_.erase(type->name());
   }
   for (const std::string& command : library.commands) session_.commands().remove(command);
   for (const std::string& type : library.data_types) session_.types().remove_data_type(type);
@@ -268,6 +270,12 @@ void PluginManager::remove(Library& library) {
   // it stays.
   if (library.handle && library.registrar.data->objects == 0) ::dlclose(library.handle);
   libraries_.erase(std::string(library.description.name));
+}
+
+const std::vector<HandleSpec>& PluginManager::handles(const std::string& node_type) const {
+  static const std::vector<HandleSpec> none;
+  const auto found = handles_.find(node_type);
+  return found == handles_.end() ? none : found->second;
 }
 
 DrawOverridePtr PluginManager::draw_override(const std::string& node_type) const {

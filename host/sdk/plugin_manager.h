@@ -56,6 +56,8 @@ class PluginManager {
   const std::vector<MenuItem>& menu() const { return menu_; }
   /// The draw override of a node type, or null.
   DrawOverridePtr draw_override(const std::string& node_type) const;
+  /// The handles of a node type; none where it has none.
+  const std::vector<HandleSpec>& handles(const std::string& node_type) const;
   void add_listener(DrawOverrideListener* listener) { listeners_.push_back(listener); }
   void remove_listener(DrawOverrideListener* listener) { std::erase(listeners_, listener); }
   /// What plug-ins hear; whoever else wants to may listen too.
@@ -75,7 +77,8 @@ class PluginManager {
   graph::Session& session_;
   EventHub events_{session_};
   std::vector<MenuItem> menu_;
-  std::map<std::string, DrawOverridePtr> draw_overrides_;  // by node type
+  std::map<std::string, DrawOverridePtr> draw_overrides_;   // by node type
+  std::map<std::string, std::vector<HandleSpec>> handles_;  // by node type
   std::vector<DrawOverrideListener*> listeners_;
   std::vector<std::filesystem::path> folders_;
   std::map<std::string, std::unique_ptr<Library>> libraries_;

@@ -37,8 +37,13 @@ PluginRegistrar::PluginRegistrar(EventHub* events) : events_(events) {
   host_.register_node_type = [](void* self, const PlinianNodeType* type) {
     return registered(self, [&](PluginRegistrar& r) {
       r.node_types.push_back(node_type_from(type, r.data));
-      if (const PlinianNodeType from = whole(type); from.draw)
-        r.draw_overrides.push_back({text_of(from.name), whole(from.draw)});
+      const PlinianNodeType from = whole(type);
+      if (from.draw) r.draw_overrides.push_back({text_of(from.name), whole(from.draw)});
+      for (const PlinianHandle& handle : all_of(from.handles, from.handle_count)) try {
+          r.handles[text_of(from.name)].push_back(handle_from(handle, r.node_types.back().attributes));
+        } catch (const graph::GraphError& error) {
+          throw graph::GraphError("node type '" + text_of(from.name) + "': " + error.what());
+        }
     });
   };
   host_.register_command = [](void* self, const PlinianCommand* command) {
@@ -120,6 +125,7 @@ void PluginRegistrar::clear() {
   file_types.clear();
   menu.clear();
   draw_overrides.clear();
+  handles.clear();
 }
 
 }  // namespace plinian::sdk

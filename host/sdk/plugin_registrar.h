@@ -14,6 +14,7 @@
 #include "host/sdk/data_count.h"
 #include "host/sdk/draw_override.h"
 #include "host/sdk/event_hub.h"
+#include "host/sdk/handles.h"
 
 namespace plinian::sdk {
 
@@ -39,6 +40,7 @@ class PluginRegistrar {
   std::vector<graph::FileType> file_types;
   std::vector<MenuItem> menu;
   std::vector<DrawOverride> draw_overrides;
+  std::map<std::string, std::vector<HandleSpec>> handles;  // by node type
   std::map<std::uint64_t, EventHub::Subscription> subscriptions;
   std::string error;  // of the first thing that failed
   const std::shared_ptr<DataCount> data = std::make_shared<DataCount>();

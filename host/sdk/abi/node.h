@@ -7,6 +7,7 @@
 
 #include "host/sdk/abi/data_type.h"
 #include "host/sdk/abi/draw.h"
+#include "host/sdk/abi/handle.h"
 #include "host/sdk/abi/scene.h"
 
 #ifdef __cplusplus
@@ -117,6 +118,8 @@ typedef struct PlinianNodeType {
                      PlinianContribution*);
   /* What only a viewport shows of the nodes; null: nothing. */
   const PlinianDraw* draw;
+  const PlinianHandle* handles;
+  size_t handle_count;
 } PlinianNodeType;
 
 #define PLINIAN_NODE_NOT_CONCURRENT 1u /* compute may not run on several threads at a time */

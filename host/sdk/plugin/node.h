@@ -11,6 +11,7 @@
 #include "host/sdk/abi.h"
 #include "host/sdk/plugin/context.h"
 #include "host/sdk/plugin/draw.h"
+#include "host/sdk/plugin/handle.h"
 #include "host/sdk/plugin/scene.h"
 
 namespace plinian {
@@ -80,6 +81,8 @@ namespace sdk __attribute__((visibility("hidden"))) {
     std::function<void(Context&, Contribution&)> contribute;
     /// What only a viewport shows of the nodes: draw_override(Draw<Data, Resources>{...}).
     std::optional<AnyDraw> draw;
+    /// What an artist takes hold of in a viewport.
+    std::vector<Handle> handles;
     /// From version `from` to the next one.
     std::function<void(int from, Migration&)> migrate;
 
@@ -170,6 +173,9 @@ namespace sdk __attribute__((visibility("hidden"))) {
             },
             [&](const char* message) { table->fail(context, message); });
       };
+    const std::vector<PlinianHandle> handles = detail::plain(type.handles);
+    plain.handles = handles.data();
+    plain.handle_count = handles.size();
     PlinianDraw draw{};
     if (type.draw) {
       draw = detail::plain(*type.draw);
