@@ -20,6 +20,12 @@ std::string ascii(const std::string& text) {
   return plain;
 }
 
+// A label that does not run into the next one; a letter is about 0.55 of the font's size wide.
+std::string cut(const std::string& label, int width) {
+  const auto room = std::size_t(std::max(1.0, width / (0.55 * font_size)));
+  return label.size() <= room ? label : label.substr(0, room > 2 ? room - 2 : room) + (room > 2 ? ".." : "");
+}
+
 }  // namespace
 
 SheetPicture sheet_picture(const Image& image, const ViewTransform& view, const std::string& label) {
@@ -57,7 +63,8 @@ SheetPicture contact_sheet(const std::vector<SheetPicture>& pictures, int column
       std::copy_n(picture.rgb.begin() + std::ptrdiff_t(y) * picture.width * 3, picture.width * 3,
                   sheet.rgb.begin() + (std::ptrdiff_t(top + y) * sheet.width + left) * 3);
     if (!font.empty() && !picture.label.empty())
-      labels.push_back({left, top + cell_height + font_size + font_size / 3, ascii(picture.label)});
+      labels.push_back({left, top + cell_height + font_size + font_size / 3,
+                        cut(ascii(picture.label), cell_width + gap / 2)});
   }
   if (!labels.empty())
     image_files().draw_labels(sheet.rgb, sheet.width, sheet.height, labels, font, font_size, 0.87f);

@@ -18,6 +18,7 @@
 #include "core/scene/scene_loader.h"
 #include "host/cli/command.h"
 #include "host/cli/console.h"
+#include "host/cli/prepared_scene.h"
 #include "host/cli/progress.h"
 #include "host/cli/renderers.h"
 #include "host/cli/scene_arguments.h"
@@ -346,8 +347,8 @@ int run_swim(const BenchArguments& arguments, const SceneSnapshot& scene) {
 int run_bench(const BenchArguments& arguments) {
   set_quiet(arguments.quiet);
   PreparedScene scene = prepare_scene(arguments.scene);
-  if (arguments.swim_frames > 0) return run_swim(arguments, scene.loaded.snapshot);
-  Bench bench(arguments, std::move(scene.loaded.snapshot));
+  if (arguments.swim_frames > 0) return run_swim(arguments, scene.snapshot);
+  Bench bench(arguments, std::move(scene.snapshot));
   bench.run();
   const ordered_json report = bench.report();
   if (arguments.json)

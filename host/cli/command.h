@@ -27,6 +27,8 @@ Run set_up_bench(CLI::App& app);
 Run set_up_info(CLI::App& app);
 Run set_up_make(CLI::App& app);
 Run set_up_sheet(CLI::App& app);
+Run set_up_run(CLI::App& app);
+Run set_up_plugins(CLI::App& app);
 
 struct Command {
   const char* name;

@@ -24,6 +24,8 @@ constexpr Command commands[] = {
     {"info", "show what is in a .vdb file or a picture", set_up_info},
     {"make", "write a procedural medium to a .vdb file", set_up_make},
     {"sheet", "pictures side by side, with heat maps", set_up_sheet},
+    {"run", "run a script of commands on a scene", set_up_run},
+    {"plugins", "list plug-ins, node types and commands", set_up_plugins},
 };
 
 constexpr const char* overview = R"(Plinian renders smoke, ash and dust that are too dense for anything else.

@@ -5,7 +5,6 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
-#include <chrono>
 #include <cmath>
 #include <functional>
 #include <span>
@@ -14,10 +13,8 @@
 #include "core/scene/nearest_word.h"
 #include "core/scene/preset.h"
 #include "core/scene/quality_parameters.h"
-#include "core/scene/scene_file.h"
 #include "core/scene/scene_parameters.h"
 #include "host/cli/console.h"
-#include "host/cli/progress.h"
 
 namespace plinian::cli {
 
@@ -49,31 +46,6 @@ constexpr ShortOption quality_options[] = {
     {"--threshold", "map.threshold", "T", "transmittance under which a light ray counts as dead"},
 };
 
-bool is_quality(const std::string& key) {
-  return key.starts_with("map.") || key.starts_with("view.");
-}
-
-struct Edit {
-  std::string key, value, where;
-};
-
-// --set and its shorter forms, in the order of the command line within each kind; --set comes last.
-std::vector<Edit> edits_of(const SceneArguments& arguments) {
-  std::vector<Edit> edits;
-  for (const auto& [option, value] : arguments.values)
-    for (const auto& table :
-         {std::span<const ShortOption>(scene_options), std::span<const ShortOption>(quality_options)})
-      for (const ShortOption& known : table)
-        if (option == known.option) edits.push_back({known.key, value, option});
-  for (const std::string& text : arguments.set) {
-    const auto equals = text.find('=');
-    if (equals == std::string::npos || equals == 0)
-      throw std::runtime_error(fmt::format("--set {}: expected KEY=VALUE, such as medium.albedo=0.5", text));
-    edits.push_back({text.substr(0, equals), text.substr(equals + 1), "--set " + text.substr(0, equals)});
-  }
-  return edits;
-}
-
 // Two lines per parameter. value_text: what stands in brackets behind what it may be.
 template <class T>
 std::string list_parameters(const std::string& prefix, const std::vector<Parameter<T>>& table,
@@ -91,9 +63,31 @@ std::string list_parameters(const std::string& prefix, const std::vector<Paramet
 
 }  // namespace
 
+bool is_quality_key(const std::string& key) {
+  return key.starts_with("map.") || key.starts_with("view.");
+}
+
+std::vector<SceneEdit> edits_of(const SceneArguments& arguments) {
+  std::vector<SceneEdit> edits;
+  for (const auto& [option, value] : arguments.values)
+    for (const auto& table :
+         {std::span<const ShortOption>(scene_options), std::span<const ShortOption>(quality_options)})
+      for (const ShortOption& known : table)
+        if (option == known.option) edits.push_back({known.key, value, option});
+  for (const std::string& text : arguments.set) {
+    const auto equals = text.find('=');
+    if (equals == std::string::npos || equals == 0)
+      throw std::runtime_error(fmt::format("--set {}: expected KEY=VALUE, such as medium.albedo=0.5", text));
+    edits.push_back({text.substr(0, equals), text.substr(equals + 1), "--set " + text.substr(0, equals)});
+  }
+  return edits;
+}
+
 void add_scene_arguments(CLI::App& app, SceneArguments& arguments, bool with_preset) {
-  app.add_option("INPUT", arguments.input,
-                 "a .vdb file, a procedural medium (ash, cloud, sandstorm, explosion) or a .json scene")
+  app.add_option(
+         "INPUT", arguments.input,
+         "a .vdb file, a sequence of them (smoke.####.vdb), a procedural medium (ash, cloud, sandstorm, "
+         "explosion), a .plinian or a .json scene")
       ->required();
   const auto add = [&](const ShortOption& option, const char* group) {
     app.add_option_function<std::string>(
@@ -123,8 +117,8 @@ void add_scene_arguments(CLI::App& app, SceneArguments& arguments, bool with_pre
       ->type_name("WIDTHxHEIGHT");
   app.add_option(
          "--set", arguments.set,
-         "any value of scene or preset: medium.albedo=0.5,0.5,0.5, key.exposure=1, map.threshold=0.02; may "
-         "be repeated")
+         "any value of scene or preset: medium.albedo=0.5,0.5,0.5, key.exposure=1, map.threshold=0.02, or "
+         "NODE.ATTRIBUTE=VALUE; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   app.add_flag_callback(
@@ -146,37 +140,11 @@ void add_scene_arguments(CLI::App& app, SceneArguments& arguments, bool with_pre
 Quality prepare_quality(const SceneArguments& arguments, const std::string& name) {
   Preset preset = load_preset(name, preset_folders());
   for (const std::string& warning : preset.warnings) warn(warning);
-  for (const Edit& edit : edits_of(arguments))
-    if (is_quality(edit.key) && !set_quality(preset.quality, edit.key, edit.value, edit.where))
+  for (const SceneEdit& edit : edits_of(arguments))
+    if (is_quality_key(edit.key) && !set_quality(preset.quality, edit.key, edit.value, edit.where))
       throw std::runtime_error(fmt::format("{}: unknown key{}; --help-quality lists them", edit.where,
                                            did_you_mean(edit.key, parameter_names(quality_parameters()))));
   return preset.quality;
-}
-
-PreparedScene prepare_scene(const SceneArguments& arguments) {
-  const auto start = std::chrono::steady_clock::now();
-  // Everything that is wrong with the words is told before anything is read that takes time.
-  const Quality quality = prepare_quality(arguments, arguments.preset);
-  SceneDescription description = describe_input(arguments.input);
-  for (const Edit& edit : edits_of(arguments))
-    if (!is_quality(edit.key)) set_scene_value(description, edit.key, edit.value, edit.where);
-  if (!arguments.size.empty()) description.size = parse_size(arguments.size);
-
-  SceneLoadOptions options;
-  options.vdb_time_limit_s = arguments.vdb_time_limit_s;
-  if (!arguments.vdb_memory_limit.empty())
-    options.vdb_memory_limit_bytes = parse_bytes(arguments.vdb_memory_limit, "--vdb-memory-limit");
-  PreparedScene scene;
-  {
-    ProgressBar bar("reading");
-    options.progress = [&](double share) { return bar(share); };
-    scene.loaded = load_scene(description, options);
-  }
-  scene.loaded.snapshot.quality = quality;
-  for (const std::string& line : scene.loaded.notes) note(line);
-  for (const std::string& line : scene.loaded.warnings) warn(line);
-  scene.load_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  return scene;
 }
 
 std::string quality_help() {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/scene_loader.h"
-#include "core/scene/snapshot.h"
+#include "core/scene/quality.h"
+#include "core/shared/glue.h"
 
 namespace CLI {
 class App;
@@ -28,13 +28,17 @@ struct SceneArguments {
 /// Declares INPUT and the options on `app`. with_preset: --preset and the options that change it.
 void add_scene_arguments(CLI::App& app, SceneArguments& arguments, bool with_preset);
 
-struct PreparedScene {
-  LoadedScene loaded;    // its snapshot has the quality of the preset
-  double load_ms = 0.0;  // wall clock
+/// --set and the options that stand for one.
+struct SceneEdit {
+  std::string key, value;
+  std::string where;  // what errors begin with: "--set KEY", "--grid"
 };
+/// In the order of the command line within each kind; --set comes last. Throws std::runtime_error where one
+/// is no KEY=VALUE.
+std::vector<SceneEdit> edits_of(const SceneArguments& arguments);
 
-/// Reads the scene, its volumes and the preset, and says aloud what was assumed. Throws std::runtime_error.
-PreparedScene prepare_scene(const SceneArguments& arguments);
+/// Whether a key is one of a quality set: map.threshold, view.step.
+bool is_quality_key(const std::string& key);
 
 /// The preset of that name or path with --set and the like applied.
 Quality prepare_quality(const SceneArguments& arguments, const std::string& preset);

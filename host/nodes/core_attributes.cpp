@@ -1,6 +1,7 @@
 // From core's parameters to attributes.
 #include "host/nodes/core_attributes.h"
 
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -29,6 +30,13 @@ std::string type_of(const ParameterSpec& parameter) {
   return parameter.unit == "m" ? "distance" : parameter.unit == "degrees" ? "angle" : "float";
 }
 
+// Core speaks in short; the interface in sentences.
+std::string sentence(std::string text) {
+  if (text.empty()) return text;
+  text[0] = char(std::toupper((unsigned char)text[0]));
+  return text.back() == '.' ? text : text + ".";
+}
+
 }  // namespace
 
 std::string spelled(float number) {
@@ -50,7 +58,7 @@ sdk::AttributeSpec attribute_of(const ParameterSpec& parameter, AttributeTouch t
   spec.type = type_of(parameter);
   spec.default_value = touch.default_value;
   spec.nice_name = touch.nice_name;
-  spec.help = touch.help.empty() ? parameter.help : touch.help;
+  spec.help = sentence(touch.help.empty() ? parameter.help : touch.help);
   spec.unit = parameter.unit;
   spec.group = touch.group;
   spec.affects = touch.affects;

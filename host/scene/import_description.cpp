@@ -60,6 +60,7 @@ class Importer {
     make_nodes();
     if (options_.nodes_made) options_.nodes_made();
     fill_media();
+    if (options_.media_only) return report();
     const SceneBounds bounds = scene_bounds(media_);
     const ivec2 size = description_.size.value_or(ivec2(512));
     const Camera camera = make_camera(description_, bounds, size, told_);
@@ -67,8 +68,7 @@ class Importer {
     for (std::size_t i = 0; i < description_.lights.size(); ++i)
       fill_light(light_nodes_[i], description_.lights[i],
                  make_light(description_, description_.lights[i], camera, bounds, told_));
-    command("select -clear");
-    return {std::move(told_.notes), std::move(told_.warnings), told_.seed};
+    return report();
   }
 
  private:
@@ -77,13 +77,20 @@ class Importer {
     std::vector<int> frames;                   // of a sequence
   };
 
+  ImportReport report() {
+    command("select -clear");
+    return {std::move(told_.notes), std::move(told_.warnings), told_.seed, std::move(made_)};
+  }
   std::string command(const std::string& line) {
     const graph::CommandResult answers = session_.execute(line);
     return answers.empty() ? "" : answers.front();
   }
   std::string create(const std::string& type, const std::string& name, const std::string& parent = "") {
-    return command("createNode " + type + " -name " + quote(node_name_of(name)) +
-                   (parent.empty() ? "" : " -parent " + parent));
+    const std::string wanted =
+        (options_.name_space.empty() ? "" : options_.name_space + ":") + node_name_of(name);
+    made_.push_back(command("createNode " + type + " -name " + quote(wanted) +
+                            (parent.empty() ? "" : " -parent " + parent)));
+    return made_.back();
   }
   template <class T>
   void set(const std::string& plug, const T& value) {
@@ -96,13 +103,21 @@ class Importer {
   }
 
   void make_nodes() {
+    if (!options_.media_only) make_settings();
+    for (const MediumDescription& medium : description_.media) medium_nodes_.push_back(make_medium(medium));
+    if (!options_.media_only) make_camera_and_lights();
+  }
+
+  void make_settings() {
     const std::string settings = create("renderSettings", "settings");
     if (description_.size) {
       set_word(settings + ".width", std::to_string(description_.size->x));
       set_word(settings + ".height", std::to_string(description_.size->y));
     }
     set(settings + ".background", background_of(description_));
-    for (const MediumDescription& medium : description_.media) medium_nodes_.push_back(make_medium(medium));
+  }
+
+  void make_camera_and_lights() {
     camera_node_ = create("camera", "camera");
     for (const LightDescription& light : description_.lights)
       light_nodes_.push_back(create(light.type == LightType::spot    ? "spotLight"
@@ -244,7 +259,8 @@ class Importer {
     set(node + ".temperature_offset", medium.emission.temperature_offset);
   }
 
-  // Albedo and extinction where they say the same to the bit, else the coefficients themselves.
+  // Albedo and extinction where they scatter and weaken light the same to the bit, else the coefficients
+  // themselves.
   void set_coefficients(const std::string& node, const MediumDescription& d, const Medium& medium) {
     const vec3 sum = medium.sigma_s + medium.sigma_a;
     vec3 share(0.0f);
@@ -252,9 +268,8 @@ class Importer {
       if (sum[i] > 0.0f) share[i] = medium.sigma_s[i] / sum[i];
     for (const auto& [albedo, extinction] : {std::pair(d.albedo.value_or(share), d.extinction.value_or(sum)),
                                              std::pair(medium.sigma_s, vec3(1.0f))}) {
-      if (d.sigma_s || d.sigma_a || extinction * albedo != medium.sigma_s ||
-          extinction * (vec3(1.0f) - albedo) != medium.sigma_a)
-        continue;
+      const vec3 scattered = extinction * albedo, absorbed = extinction * (vec3(1.0f) - albedo);
+      if (d.sigma_s || d.sigma_a || scattered != medium.sigma_s || scattered + absorbed != sum) continue;
       set(node + ".albedo", albedo);
       set(node + ".extinction", extinction);
       return;
@@ -302,6 +317,7 @@ class Importer {
   const ImportOptions& options_;
   std::vector<MediumNodes> medium_nodes_;
   std::string camera_node_;
+  std::vector<std::string> made_;
   std::vector<std::string> light_nodes_;
   std::vector<Medium> media_;
   LoadedScene told_;

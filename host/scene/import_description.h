@@ -20,6 +20,8 @@ struct ImportOptions {
   double vdb_time_limit_s = 0.0;             // [s] for reading one file; 0: grows with the file
   std::uint64_t vdb_memory_limit_bytes = 0;  // for reading one file; 0: grows with the file
   std::function<bool(double)> progress;      // called with a share in [0, 1]; returning false cancels
+  std::string name_space;                    // goes before the names of the nodes, with a colon
+  bool media_only = false;                   // neither camera, lights nor settings
   /// Called once all nodes are there and nothing was read: the place to refuse what cannot be.
   std::function<void()> nodes_made;
 };
@@ -28,6 +30,7 @@ struct ImportReport {
   std::vector<std::string> notes;     // what was assumed or chosen, one line each
   std::vector<std::string> warnings;  // what was mended, one line each
   std::optional<int> seed;            // of the first procedural medium
+  std::vector<std::string> nodes;     // that were made
 };
 
 /// Makes the nodes by commands, and fills in what the description leaves open (scale, camera, lights,

@@ -3,6 +3,7 @@
 
 #include "core/files/companion.h"
 #include "host/graph/graph_error.h"
+#include "host/scene/file_types.h"
 
 namespace plinian::scene {
 
@@ -16,6 +17,8 @@ std::vector<std::filesystem::path> Workspace::plugin_folders() {
 
 Workspace::Workspace(std::vector<std::filesystem::path> folders) : plugins_(session_, std::move(folders)) {
   nodes::add_built_in(session_, plugins_);
+  add_scene_importers(session_);
+  add_camera_importers(session_);
   try {
     plugins_.load("atfm");
   } catch (const graph::GraphError&) {

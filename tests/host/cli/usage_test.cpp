@@ -23,14 +23,14 @@ std::string usage_error(const std::vector<std::string>& arguments) {
 TEST(Usage, WithoutArgumentsTheProgramSaysWhatItIsAndHowToBegin) {
   const Ended ended = plinian_program({});
   EXPECT_EQ(ended.code, 0);
-  for (const char* word :
-       {"plinian render ash", "render", "compare", "bench", "info", "make", "sheet", "--help"})
+  for (const char* word : {"plinian render ash", "render", "compare", "bench", "info", "make", "sheet", "run",
+                           "plugins", "--help"})
     EXPECT_TRUE(contains(ended.out, word)) << word;
   EXPECT_EQ(plinian_program({"--help"}).out, ended.out);
 }
 
 TEST(Usage, EveryCommandHasHelpWithExamples) {
-  for (const char* command : {"render", "compare", "bench", "info", "make", "sheet"}) {
+  for (const char* command : {"render", "compare", "bench", "info", "make", "sheet", "run", "plugins"}) {
     const Ended ended = plinian_program({command, "--help"});
     EXPECT_EQ(ended.code, 0);
     EXPECT_TRUE(contains(ended.out, "Examples:")) << command;
@@ -59,7 +59,7 @@ TEST(Usage, AMistypedCommandOrOptionIsToldTheNearestOne) {
   EXPECT_EQ(
       usage_error({"rendr", "ash"}),
       "plinian: error: rendr: no such command (did you mean 'render'?); there are: render, compare, bench, "
-      "info, make, sheet\n");
+      "info, make, sheet, run, plugins\n");
   EXPECT_TRUE(contains(usage_error({"render", "ash", "--presett", "fast"}),
                        "--presett: no such option (did you mean '--preset'?)"));
   EXPECT_TRUE(

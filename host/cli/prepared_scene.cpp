@@ -1,0 +1,196 @@
+// Scenes from arguments.
+#include "host/cli/prepared_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+#include "core/scene/nearest_word.h"
+#include "core/scene/preset.h"
+#include "core/scene/quality_parameters.h"
+#include "core/scene/scene_file.h"
+#include "core/scene/scene_loader.h"
+#include "core/scene/scene_parameters.h"
+#include "host/cli/console.h"
+#include "host/cli/progress.h"
+#include "host/graph/graph_error.h"
+#include "host/scene/import_description.h"
+#include "host/scene/quality_set.h"
+
+namespace plinian::cli {
+
+namespace {
+
+bool is_scene(const std::string& input) {
+  return input.ends_with(".plinian");
+}
+
+// The quality set that a preset's name turns on.
+std::string set_of(const std::string& preset) {
+  return preset == "high" ? "high" : "fast";
+}
+
+template <class T>
+bool declares(const std::vector<Parameter<T>>& table, const std::string& key) {
+  return find_parameter(table, key) != nullptr;
+}
+
+// Whether a key is one of the description's own; else it names an attribute of a node.
+bool is_described(const SceneDescription& description, const std::string& key) {
+  const auto dot = key.find('.');
+  if (dot == key.npos) return true;
+  const std::string object = key.substr(0, dot), name = key.substr(dot + 1);
+  if (object == "camera") return declares(camera_parameters(), name);
+  const auto& media = description.media;
+  const bool medium =
+      object == "medium" || object == "media" ||
+      std::any_of(media.begin(), media.end(), [&](const auto& m) { return m.name == object; });
+  if (medium) return declares(medium_parameters(), name) || name.starts_with("shape.");
+  const auto& lights = description.lights;
+  const bool light = object == "lights" || std::any_of(lights.begin(), lights.end(),
+                                                       [&](const auto& l) { return l.name == object; });
+  return light && (object == "lights" || declares(light_parameters(), name));
+}
+
+graph::Plug plug_of(const graph::Graph& graph, const SceneEdit& edit) {
+  const auto dot = edit.key.find('.');
+  const std::string node = edit.key.substr(0, dot);
+  if (dot == edit.key.npos || !graph.find(node)) {
+    std::vector<std::string> names;
+    for (const graph::Node* known : graph.nodes()) names.push_back(known->name);
+    throw std::runtime_error(fmt::format("{}: nothing is called '{}'{}; there are: map, view, {}", edit.where,
+                                         node, did_you_mean(node, names), join(names)));
+  }
+  try {
+    return graph.plug(edit.key);
+  } catch (const graph::GraphError& error) {
+    throw std::runtime_error(edit.where + ": " + error.what());
+  }
+}
+
+// Reads a scene that was saved.
+void open_scene(PreparedScene& scene, const SceneArguments& arguments) {
+  scene::Workspace& workspace = *scene.workspace;
+  const std::string set = set_of(arguments.preset);
+  workspace.view().quality = set;
+  if (!arguments.size.empty()) workspace.view().size = parse_size(arguments.size);
+  // The scene's own sets have the names fast and high.
+  const bool foreign = arguments.preset != set;
+  Preset preset;
+  if (foreign) preset = load_preset(arguments.preset, preset_folders());
+  workspace.session().open_scene(arguments.input);
+  if (foreign) scene::write_quality(workspace.session(), set, preset.quality);
+  for (const SceneEdit& edit : edits_of(arguments)) apply_edit(workspace, edit);
+}
+
+// Makes the nodes that anything else stands for.
+void import_input(PreparedScene& scene, const SceneArguments& arguments) {
+  scene::Workspace& workspace = *scene.workspace;
+  // Everything that is wrong with the words is told before anything is read that takes time.
+  const Quality quality = prepare_quality(arguments, arguments.preset);
+  SceneDescription description = describe_input(arguments.input);
+  std::vector<SceneEdit> of_nodes;
+  for (const SceneEdit& edit : edits_of(arguments)) {
+    if (is_quality_key(edit.key)) continue;
+    if (is_described(description, edit.key))
+      set_scene_value(description, edit.key, edit.value, edit.where);
+    else
+      of_nodes.push_back(edit);
+  }
+  if (!arguments.size.empty()) description.size = parse_size(arguments.size);
+  scene::ImportOptions options;
+  options.vdb_time_limit_s = arguments.vdb_time_limit_s;
+  if (!arguments.vdb_memory_limit.empty())
+    options.vdb_memory_limit_bytes = parse_bytes(arguments.vdb_memory_limit, "--vdb-memory-limit");
+  options.nodes_made = [&] {
+    for (const SceneEdit& edit : of_nodes) plug_of(workspace.session().graph(), edit);
+  };
+  scene::ImportReport report;
+  {
+    ProgressBar bar("reading");
+    options.progress = [&](double share) { return bar(share); };
+    report = import_description(workspace.session(), description, options);
+  }
+  workspace.view().quality = set_of(arguments.preset);
+  scene::write_quality(workspace.session(), workspace.view().quality, quality);
+  for (const SceneEdit& edit : of_nodes) apply_edit(workspace, edit);
+  for (const std::string& line : report.notes) note(line);
+  for (const std::string& line : report.warnings) warn(line);
+  scene.notes = std::move(report.notes);
+  scene.warnings.insert(scene.warnings.end(), report.warnings.begin(), report.warnings.end());
+  scene.seed = report.seed;
+}
+
+// What is shown in place of frames that are missing.
+void tell_badges(PreparedScene& scene) {
+  graph::Session& session = scene.workspace->session();
+  for (const graph::Node* node : session.graph().nodes()) {
+    if (node->type->name() != "volumeRead" || node->type->is_unknown()) continue;
+    const graph::Plug badge = session.graph().plug(*node, "badge");
+    const graph::ResultPtr result = session.evaluator().evaluate(badge);
+    const auto* text = result->error ? nullptr : std::get_if<std::string>(&result->value);
+    if (!text || text->empty()) continue;
+    scene.warnings.push_back(node->name + ": " + *text);
+    warn(scene.warnings.back());
+  }
+}
+
+}  // namespace
+
+void apply_edit(scene::Workspace& workspace, const SceneEdit& edit) {
+  graph::Session& session = workspace.session();
+  if (is_quality_key(edit.key)) {
+    Quality quality = scene::quality_of(session, workspace.view().quality);
+    if (!set_quality(quality, edit.key, edit.value, edit.where))
+      throw std::runtime_error(fmt::format("{}: unknown key{}; --help-quality lists them", edit.where,
+                                           did_you_mean(edit.key, parameter_names(quality_parameters()))));
+    return scene::write_quality(session, workspace.view().quality, quality);
+  }
+  const graph::Plug plug = plug_of(session.graph(), edit);
+  const graph::AttributeType type = session.graph().attribute(plug).spec.type;
+  std::string words = edit.value;
+  if (type == graph::AttributeType::string || type == graph::AttributeType::path)
+    words = graph::quote(words);
+  else if (type != graph::AttributeType::ramp)
+    std::replace(words.begin(), words.end(), ',', ' ');
+  try {
+    session.execute("setAttr " + edit.key + " " + words);
+  } catch (const graph::GraphError& error) {
+    throw std::runtime_error(edit.where + ": " + error.what());
+  }
+}
+
+SceneSnapshot take_snapshot(PreparedScene& scene) {
+  graph::Session& session = scene.workspace->session();
+  {
+    ProgressBar bar("reading");
+    if (!compute_contributions(session, scene.workspace->view(), [&](double share) { return bar(share); }))
+      throw SceneLoadCancelled();
+  }
+  scene::BuiltSnapshot built = build_snapshot(session, scene.workspace->view());
+  if (!built.problems.empty()) throw std::runtime_error(built.problems.front());
+  for (const std::string& line : built.notes) {
+    note(line);
+    scene.notes.push_back(line);
+  }
+  tell_badges(scene);
+  return std::move(built.snapshot);
+}
+
+PreparedScene prepare_scene(const SceneArguments& arguments) {
+  const auto start = std::chrono::steady_clock::now();
+  PreparedScene scene;
+  scene.workspace = std::make_unique<scene::Workspace>();
+  scene.workspace->session().on_warning = [](const std::string& line) { warn(line); };
+  if (is_scene(arguments.input))
+    open_scene(scene, arguments);
+  else
+    import_input(scene, arguments);
+  scene.snapshot = take_snapshot(scene);
+  scene.load_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return scene;
+}
+
+}  // namespace plinian::cli

@@ -1,0 +1,94 @@
+// plinian render --vary: one picture for each value, on a sheet that says which is which.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/image/contact_sheet.h"
+#include "host/cli/command.h"
+#include "host/cli/console.h"
+#include "host/cli/picture.h"
+
+namespace plinian::cli {
+
+namespace {
+
+struct Variation {
+  std::string key;
+  std::vector<std::string> values;
+};
+
+// "medium.albedo=0.3,0.6" ; the numbers of a vector stand between spaces: "key.colour=1 0 0,0 1 0".
+Variation parse_variation(const std::string& text) {
+  const auto equals = text.find('=');
+  Variation variation;
+  if (equals != text.npos) variation.key = text.substr(0, equals);
+  for (std::size_t begin = equals == text.npos ? text.size() : equals + 1; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    if (end > begin) variation.values.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  if (variation.key.empty() || variation.values.empty())
+    throw std::runtime_error(
+        fmt::format("--vary {}: expected KEY=VALUE,VALUE, such as medium.albedo=0.3,0.6,0.9", text));
+  return variation;
+}
+
+}  // namespace
+
+int run_variants(const RenderArguments& arguments) {
+  std::vector<Variation> variations;
+  std::size_t count = 1;
+  for (const std::string& text : arguments.vary) {
+    variations.push_back(parse_variation(text));
+    count *= variations.back().values.size();
+  }
+  if (count > 1024)
+    throw std::runtime_error(fmt::format("--vary: {} pictures are more than a sheet holds", count));
+  if (!arguments.sheet.ends_with(".png"))
+    throw std::runtime_error(arguments.sheet + ": the name of a sheet ends in .png");
+  const WriteOptions writing = write_options(arguments);
+  check_output(arguments.sheet, writing);
+
+  PreparedScene scene = prepare_scene(arguments.scene);
+  NamedRenderer chosen = choose_renderer(arguments.renderer, {.reference_tolerance = arguments.tolerance});
+  const ViewTransform view(writing.view);
+  std::vector<SheetPicture> pictures;
+  nlohmann::ordered_json report = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < count; ++i) {
+    // The last variation changes fastest.
+    std::string label;
+    nlohmann::ordered_json values;
+    for (std::size_t v = variations.size(), rest = i; v-- > 0;) {
+      const Variation& variation = variations[v];
+      const std::string& value = variation.values[rest % variation.values.size()];
+      rest /= variation.values.size();
+      apply_edit(*scene.workspace, {variation.key, value, "--vary " + variation.key});
+      // A sheet has little room: the attribute says enough.
+      label = variation.key.substr(variation.key.rfind('.') + 1) + " " + value + (label.empty() ? "" : ", ") +
+              label;
+      values[variation.key] = value;
+    }
+    const SceneSnapshot snapshot = take_snapshot(scene);
+    const Picture picture =
+        make_picture(chosen, snapshot, arguments, "", fmt::format("variant {} of {}", i + 1, count));
+    if (picture.cut_short) throw RenderCancelled();
+    pictures.push_back(sheet_picture(picture.image, view, label));
+    tell_picture(label, picture);
+    nlohmann::ordered_json one = {{"values", values}};
+    one.update(picture_report(picture, {}));
+    report.push_back(std::move(one));
+  }
+  const int columns =
+      variations.size() > 1 ? int(variations.back().values.size()) : int(std::min<std::size_t>(count, 6));
+  const SheetPicture sheet = contact_sheet(pictures, columns);
+  write_file(arguments.sheet, encode_png(sheet.rgb, sheet.width, sheet.height));
+  note(fmt::format("{}: {} pictures, {}x{}", arguments.sheet, count, sheet.width, sheet.height));
+  if (arguments.json)
+    print(nlohmann::ordered_json{
+              {"input", arguments.scene.input}, {"sheet", arguments.sheet}, {"variants", report}}
+              .dump(2) +
+          "\n");
+  return exit_success;
+}
+
+}  // namespace plinian::cli

@@ -1,0 +1,64 @@
+// plinian run: a script of commands, as the console of a window would take them.
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <memory>
+
+#include "host/cli/command.h"
+#include "host/cli/console.h"
+#include "host/graph/files/scene_reader.h"
+#include "host/graph/graph_error.h"
+#include "host/scene/workspace.h"
+
+namespace plinian::cli {
+
+namespace {
+
+struct RunArguments {
+  std::string script;
+  std::vector<std::string> scenes;  // at most one
+  bool echo = false, quiet = false;
+};
+
+constexpr const char* examples = R"(
+Examples:
+  plinian run setup.pln
+  plinian run relight.pln shot.plinian
+  echo 'ls -type camera' | plinian run - shot.plinian
+A script is one command a line; '#' begins a comment. 'plinian plugins --commands' lists the commands, and the command
+'help NAME' shows what one takes. What commands answer goes to standard output.)";
+
+std::string text_of(const std::string& script) {
+  if (script != "-") return graph::read_text_file(script);
+  return {std::istreambuf_iterator<char>(std::cin), {}};
+}
+
+int run_run(const RunArguments& arguments) {
+  set_quiet(arguments.quiet);
+  const std::string text = text_of(arguments.script);
+  scene::Workspace workspace;
+  graph::Session& session = workspace.session();
+  session.on_warning = [](const std::string& line) { warn(line); };
+  if (!arguments.scenes.empty()) session.open_scene(arguments.scenes.front());
+  if (arguments.echo) session.on_echo = [](const std::string& line) { print("> " + line + "\n"); };
+  graph::run_script(session, text, arguments.script == "-" ? "standard input" : arguments.script,
+                    [](const std::string& line) { print(line + "\n"); });
+  return exit_success;
+}
+
+}  // namespace
+
+Run set_up_run(CLI::App& app) {
+  auto arguments = std::make_shared<RunArguments>();
+  app.footer(examples);
+  app.add_option("SCRIPT", arguments->script, "a file of commands; - for standard input")->required();
+  app.add_option("SCENE", arguments->scenes, "a .plinian scene to run it on (an empty one)")->expected(0, 1);
+  app.add_flag("--echo", arguments->echo, "print each command as it is run");
+  app.add_flag("-q,--quiet", arguments->quiet, "no notes");
+  return [arguments](const std::string&) { return run_run(*arguments); };
+}
+
+}  // namespace plinian::cli

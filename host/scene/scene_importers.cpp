@@ -1,0 +1,42 @@
+// import of volumes and of neutral scenes.
+#include "core/scene/scene_file.h"
+#include "host/graph/graph_error.h"
+#include "host/scene/file_types.h"
+#include "host/scene/import_description.h"
+
+namespace plinian::scene {
+
+namespace {
+
+graph::CommandResult import_input(graph::Session& session, const graph::Arguments& arguments, bool volume) {
+  SceneDescription description = describe_input(arguments.text("file"));
+  ImportOptions options;
+  options.name_space = arguments.text("namespace");
+  options.media_only = volume;
+  const ImportReport report = import_description(session, description, options);
+  // A command answers with names alone; what was assumed is said where warnings are.
+  for (const std::string& line : report.notes) session.warn(line);
+  for (const std::string& line : report.warnings) session.warn(line);
+  return report.nodes;
+}
+
+}  // namespace
+
+void add_scene_importers(graph::Session& session) {
+  session.file_types().add(
+      {.name = "volume",
+       .help = "A .vdb file, or a sequence of them: a volume with its medium.",
+       .plugin = "",
+       .extensions = {"vdb"},
+       .import_file = [](graph::Session& s, const graph::Arguments& a) { return import_input(s, a, true); },
+       .export_file = {}});
+  session.file_types().add(
+      {.name = "neutral scene",
+       .help = "A scene that other programs read and write as well.",
+       .plugin = "",
+       .extensions = {"json"},
+       .import_file = [](graph::Session& s, const graph::Arguments& a) { return import_input(s, a, false); },
+       .export_file = {}});
+}
+
+}  // namespace plinian::scene

@@ -1,0 +1,140 @@
+// Scenes and scripts on the command line.
+#include "tests/host/cli/program_fixture.h"
+
+namespace plinian {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+std::vector<float> pixels_of(const Image& image) {
+  std::vector<float> all;
+  for (const Channel& channel : image.channels)
+    all.insert(all.end(), channel.values.begin(), channel.values.end());
+  return all;
+}
+
+TEST_F(Program, ASavedSceneGivesThePictureThatItsInputGave) {
+  ASSERT_EQ(run({"make", "ash", "-o", "ash.vdb", "--resolution", "24"}).code, 0);
+  for (const std::string input : {"ash.vdb", "explosion"}) {
+    std::vector<std::string> arguments = {input,      "-o",    "a.exr", "--save-scene",  "a.plinian",
+                                          "--pixels", "float", "--set", "key.exposure=2"};
+    if (input == "explosion") arguments.insert(arguments.end(), {"--resolution", "24"});
+    render(arguments);
+    const Ended again = run(
+        {"render", "a.plinian", "-o", "b.exr", "--pixels", "float", "--renderer", "cpu", "--samples", "1"});
+    EXPECT_EQ(again.code, 0) << again.err;
+    EXPECT_EQ(pixels_of(picture("a.exr")), pixels_of(picture("b.exr"))) << input;
+    EXPECT_EQ(text_fact(picture("a.exr"), attribute::scene_hash),
+              text_fact(picture("b.exr"), attribute::scene_hash));
+  }
+}
+
+TEST_F(Program, SetReachesAnyAttributeOfASceneAndItsQualitySets) {
+  render({"sphere", "-o", "a.exr", "--save-scene", "a.plinian"});
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"render", "a.plinian", "-o", "b.exr", "--renderer", "cpu", "--samples", "1"});
+    const Ended ended = run(more);
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return picture("b.exr");
+  };
+  EXPECT_NEAR(mean_of(with({"--set", "key.exposure=1.75"}), "key.G") / mean_of(picture("a.exr"), "key.G"),
+              2.0, 0.01);
+  EXPECT_EQ(mean_of(with({"--set", "medium_shape.visibility=false"}), "A"), 0.0);
+  EXPECT_EQ(with({"--set", "settings.width=20"}).width, 20);
+  EXPECT_EQ(with({"--size", "24x16"}).width, 24);
+  EXPECT_EQ(text_fact(with({"--preset", "high"}), attribute::preset), "high");
+  EXPECT_NE(mean_of(with({"--set", "map.coefficients=2"}), "key.G"), mean_of(picture("a.exr"), "key.G"));
+  // The same on what is no scene yet.
+  render({"sphere", "-o", "c.exr", "--set", "medium_place.translate=0,100,0"});
+  EXPECT_EQ(mean_of(picture("c.exr"), "A"), 0.0) << "moved out of the picture";
+  for (const auto& [set, says] :
+       {std::pair("nobody.x=1", "--set nobody.x: nothing is called 'nobody'"),
+        std::pair("key.exposre=1", "(did you mean 'exposure'?)"),
+        std::pair("key.exposure=bright", "--set key.exposure: key.exposure expects a number"),
+        std::pair("map.treshold=1", "(did you mean 'map.threshold'?)")}) {
+    const Ended ended = run({"render", "a.plinian", "-o", "b.exr", "--quiet", "--set", set});
+    EXPECT_EQ(ended.code, 1);
+    EXPECT_EQ(ended.error_lines(), 1) << ended.err;
+    EXPECT_NE(ended.err.find(says), std::string::npos) << ended.err;
+  }
+}
+
+TEST_F(Program, RunsAScriptAndTellsTheLineThatFails) {
+  folder_.write(
+      "ball.pln",
+      "# a ball under a sun\ncreateNode atfmVolume -name ball\nsetAttr ball.draw sphere\n"
+      "createNode directionalLight -name sun\nsetAttr sun.rotate -40 30 0\nsetAttr sun.intensity 12\n"
+      "getAttr sun.intensity\nsave ball.plinian\n");
+  const Ended ended = run({"run", "ball.pln", "--quiet"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_TRUE(ended.out.starts_with("ball\nsun\n12\n")) << ended.out;
+  render({"ball.plinian", "-o", "ball.exr"});
+  EXPECT_GT(mean_of(picture("ball.exr"), "sun.G"), 0.01);
+
+  folder_.write("wrong.pln", "ls\n\nsetAttr ball.draw cube\n");
+  const Ended wrong = run({"run", "wrong.pln", "ball.plinian"});
+  EXPECT_EQ(wrong.code, 1);
+  EXPECT_EQ(wrong.error_lines(), 1);
+  EXPECT_EQ(wrong.err, "plinian: error: wrong.pln:3: ball.draw 'cube' is none of volume, box, sphere\n");
+  EXPECT_EQ(wrong.out, "time1\nball\nsun\n");
+  EXPECT_NE(run({"run", "nowhere.pln"}).err.find("nowhere.pln"), std::string::npos);
+}
+
+TEST_F(Program, WithoutThePluginASceneOpensSaysSoAndIsKeptByteForByte) {
+  render({"sphere", "-o", "a.exr", "--save-scene", "a.plinian"});
+  folder_.write("copy.pln", "save b.plinian\n");
+  const RunOptions without{.environment = {{"PLINIAN_PLUGINS", "/nowhere"}}};
+  const Ended ended = run({"run", "copy.pln", "a.plinian"}, without);
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_NE(ended.err.find("atfm"), std::string::npos) << ended.err;
+  const auto bytes = [&](const std::string& name) {
+    std::ifstream file(folder_ / name, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  EXPECT_NE(bytes("a.plinian"), "");
+  EXPECT_EQ(bytes("a.plinian"), bytes("b.plinian"));
+  // What needs the plug-in to be made fails in one line.
+  const Ended bare = run({"render", "sphere", "-o", "b.png"}, without);
+  EXPECT_EQ(bare.code, 1);
+  EXPECT_EQ(bare.error_lines(), 1) << bare.err;
+  EXPECT_NE(bare.err.find("there is no plug-in 'atfm'"), std::string::npos) << bare.err;
+}
+
+TEST_F(Program, ListsPluginsTypesAndCommands) {
+  const json report = json::parse(run({"plugins", "--json"}).out);
+  bool found = false;
+  for (const json& plugin : report["plugins"])
+    found = found || (plugin["name"] == "atfm" && plugin["state"] == "loaded" &&
+                      plugin["registers"] == json({"node:atfmVolume"}));
+  EXPECT_TRUE(found) << report.dump(1);
+  const std::string types = run({"plugins", "--types"}).out;
+  for (const char* type : {"atfmVolume", "transform", "volumeRead", "medium", "camera", "renderSettings"})
+    EXPECT_NE(types.find(type), std::string::npos) << type;
+  const std::string medium = run({"plugins", "--type", "medium"}).out;
+  EXPECT_NE(medium.find("albedo"), std::string::npos);
+  EXPECT_NE(run({"plugins", "--commands"}).out.find("setAttr"), std::string::npos);
+  EXPECT_NE(run({"plugins", "--type", "mediun"}).err.find("(did you mean 'medium'?)"), std::string::npos);
+}
+
+TEST_F(Program, VariantsStandOnASheet) {
+  render({"sphere", "--vary", "medium.albedo=0.1,0.5,0.9", "--vary", "key.exposure=0,1", "--sheet", "v.png"});
+  const Image sheet = picture("v.png");
+  EXPECT_EQ(sheet.width, 3 * 12 + 2 * 48);
+  // Down the sheet albedo rises, and the picture with it.
+  const auto brightness = [&](int row) {
+    const int top = 12 + row * ((sheet.height - 12) / 3);
+    double sum = 0.0;
+    for (int y = top; y < top + 32; ++y)
+      for (int x = 12; x < 12 + 48; ++x) sum += sheet.find("G")->values[std::size_t(y) * sheet.width + x];
+    return sum;
+  };
+  EXPECT_LT(brightness(0), brightness(1));
+  EXPECT_LT(brightness(1), brightness(2));
+  EXPECT_EQ(run({"render", "sphere", "--vary", "medium.albedo=1"}).code, 1);
+  EXPECT_NE(run({"render", "sphere", "--vary", "medium.albdo=1,2", "--sheet", "v.png"}).err.find("albedo"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace plinian

@@ -1,0 +1,97 @@
+// Sequences: numbered pictures, and only those that are not there already.
+#include "tests/host/cli/program_fixture.h"
+
+namespace plinian {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+class Frames : public Program {
+ protected:
+  void SetUp() override {
+    if (!fs::exists(data_ / "smoke_000001.vdb")) GTEST_SKIP() << data_ << " is not there";
+  }
+  std::vector<std::string> arguments(std::vector<std::string> more = {}) const {
+    more.insert(more.begin(),
+                {"render", (data_ / "smoke_00000#.vdb").string(), "--frames", "1-3", "-o", "s.####.exr",
+                 "--renderer", "cpu", "--size", "32x32", "--passes", "40", "--set", "map.resolution=64"});
+    return more;
+  }
+  json frames(std::vector<std::string> more = {}) {
+    more.push_back("--json");
+    const Ended ended = run(arguments(more));
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return json::parse(ended.out);
+  }
+  const fs::path data_ = fs::path(PLINIAN_SOURCE_DIR) / ".." / "shared" / "data";
+};
+
+TEST_F(Frames, AreMadeOnceAndAgainAfterAnEdit) {
+  const json first = frames();
+  EXPECT_EQ(first["made"], 3);
+  EXPECT_EQ(mean_of(picture("s.0001.exr"), "A"), 0.0) << "the first frame is empty";
+  EXPECT_GT(mean_of(picture("s.0002.exr"), "A"), 0.01);
+  EXPECT_GT(mean_of(picture("s.0003.exr"), "A"), 0.01);
+  // Set up once: the camera of every frame is the same.
+  EXPECT_EQ(std::get<mat4>(picture("s.0001.exr").metadata.at(attribute::world_to_camera)),
+            std::get<mat4>(picture("s.0003.exr").metadata.at(attribute::world_to_camera)));
+  EXPECT_EQ(std::get<int>(picture("s.0003.exr").metadata.at(attribute::frame)), 3);
+  const auto written = fs::last_write_time(folder_ / "s.0002.exr");
+  EXPECT_EQ(frames()["skipped"], 3);
+  EXPECT_EQ(fs::last_write_time(folder_ / "s.0002.exr"), written);
+  // One that is lost or damaged is made anew, and no other.
+  folder_.write("s.0002.exr", "no picture");
+  const json mended = frames();
+  EXPECT_EQ(mended["made"], 1);
+  EXPECT_EQ(mended["frames"][1]["skipped"], false);
+  EXPECT_EQ(frames({"--set", "medium.albedo=0.5"})["made"], 3);
+  EXPECT_EQ(frames({"--set", "medium.albedo=0.5", "--preset", "high"})["made"], 3);
+}
+
+TEST_F(Frames, GoOnWhereCtrlCStoppedThem) {
+  RunOptions options;
+  options.signal_after_text = "s.0001.exr: cpu";
+  options.signal_after_s = 0.02;
+  // So many passes that the second frame is not done by then.
+  std::vector<std::string> slow = arguments({"--set", "view.shade_samples=64"});
+  slow[std::size_t(std::find(slow.begin(), slow.end(), "40") - slow.begin())] = "3000";
+  const Ended ended = run(slow, options);
+  EXPECT_EQ(ended.code, 130);
+  EXPECT_NE(ended.err.find("interrupted: 1 of 3 frames are done"), std::string::npos) << ended.err;
+  EXPECT_TRUE(fs::exists(folder_ / "s.0001.exr"));
+  EXPECT_FALSE(fs::exists(folder_ / "s.0002.exr"));
+  const auto written = fs::last_write_time(folder_ / "s.0001.exr");
+  slow[std::size_t(std::find(slow.begin(), slow.end(), "1-3") - slow.begin())] = "1";
+  slow.push_back("--json");
+  EXPECT_EQ(json::parse(run(slow).out)["skipped"], 1);
+  EXPECT_EQ(fs::last_write_time(folder_ / "s.0001.exr"), written);
+}
+
+TEST_F(Frames, WithoutARangeTheFirstFrameThatShowsAnythingIsThePicture) {
+  const Ended ended = run({"render", (data_ / "smoke_00000#.vdb").string(), "--renderer", "cpu", "--size",
+                           "16x16", "--passes", "1", "--set", "map.resolution=64"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_TRUE(fs::exists(folder_ / "smoke_000002.png")) << ended.err;
+}
+
+TEST_F(Program, AMissingFrameIsToldOrRefused) {
+  ASSERT_EQ(run({"make", "ash", "-o", "a.1.vdb", "--resolution", "16"}).code, 0);
+  fs::copy_file(folder_ / "a.1.vdb", folder_ / "a.3.vdb");
+  const std::vector<std::string> arguments = {
+      "render", "a.#.vdb", "--frames", "2",        "-o", "a.#.png", "--renderer",
+      "cpu",    "--size",  "8x8",      "--passes", "1",  "--set",   "map.resolution=16"};
+  const Ended blank = run(arguments);
+  EXPECT_EQ(blank.code, 0) << blank.err;
+  EXPECT_NE(blank.err.find("warning: medium_file: frame 2 is missing"), std::string::npos) << blank.err;
+  std::vector<std::string> strict = arguments;
+  strict.insert(strict.end(), {"--set", "medium_file.missing=error"});
+  const Ended refused = run(strict);
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_NE(refused.err.find("a.2.vdb: no such file"), std::string::npos) << refused.err;
+  EXPECT_EQ(run({"render", "a.#.vdb", "--frames", "3-1"}).err,
+            "plinian: error: --frames 3-1: expected FIRST-LAST, such as 1-48\n");
+}
+
+}  // namespace
+}  // namespace plinian
