@@ -144,8 +144,7 @@ std::vector<std::string> preset_names(const std::vector<std::string>& folders) {
 
 std::vector<std::string> preset_folders() {
   std::vector<std::string> folders;
-  if (const auto user = user_config_folder(); !user.empty()) folders.push_back((user / "presets").string());
-  if (const auto own = resource_folder(); !own.empty()) folders.push_back((own / "presets").string());
+  for (const fs::path& folder : search_folders()) folders.push_back((folder / "presets").string());
   return folders;
 }
 

@@ -29,8 +29,9 @@ Preset load_preset(const std::string& name_or_path, const std::vector<std::strin
 /// Names of the presets in the folders, sorted, each once.
 std::vector<std::string> preset_names(const std::vector<std::string>& folders);
 
-/// Where presets are looked for: the user's folder ($XDG_CONFIG_HOME or ~/.config, plinian/presets), then
-/// share/plinian/presets beside the folder of the running program.
+/// Where presets are looked for: `presets` in the folders of $PLINIAN_PATH, then in the user's
+/// ($XDG_CONFIG_HOME/plinian or ~/.config/plinian), then in share/plinian beside the folder of the running
+/// program.
 std::vector<std::string> preset_folders();
 
 /// A preset file with every quality parameter in it.

@@ -1,7 +1,9 @@
 // Data files relative to the executable, so that an installed tree can be moved.
 #include "core/scene/resources.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <string>
 #include <system_error>
 
 namespace plinian {
@@ -20,6 +22,23 @@ std::filesystem::path user_config_folder() {
   if (const char* home = std::getenv("HOME"); home && *home)
     return std::filesystem::path(home) / ".config" / "plinian";
   return {};
+}
+
+std::vector<std::filesystem::path> search_folders() {
+  std::vector<std::filesystem::path> folders;
+  if (const char* variable = std::getenv("PLINIAN_PATH")) {
+    const std::string list = variable;
+    for (std::size_t begin = 0; begin <= list.size();) {
+      const std::size_t end = std::min(list.find(':', begin), list.size());
+      // An empty or relative entry would mean the current folder, whatever that is.
+      if (const std::filesystem::path folder = list.substr(begin, end - begin); folder.is_absolute())
+        folders.push_back(folder);
+      begin = end + 1;
+    }
+  }
+  if (const auto user = user_config_folder(); !user.empty()) folders.push_back(user);
+  if (const auto own = resource_folder(); !own.empty()) folders.push_back(own);
+  return folders;
 }
 
 }  // namespace plinian

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 namespace plinian {
 
@@ -11,5 +12,9 @@ std::filesystem::path resource_folder();
 
 /// $XDG_CONFIG_HOME/plinian, or ~/.config/plinian; empty where there is neither.
 std::filesystem::path user_config_folder();
+
+/// Folders that hold presets/, plugins/ and the like, the first that has a thing counting: those of
+/// $PLINIAN_PATH (a show's; absolute ones only, between colons), the user's, the installation's.
+std::vector<std::filesystem::path> search_folders();
 
 }  // namespace plinian

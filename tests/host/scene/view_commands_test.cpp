@@ -1,0 +1,49 @@
+#include "tests/host/scene/test_workspace.h"
+
+namespace plinian::scene {
+namespace {
+
+TEST(ViewCommands, FrameViewShowsEverythingFromWhereTheCameraLooks) {
+  TestWorkspace w(small_scene("sphere"));
+  w.run("setAttr medium_place.translate 50 0 0\nsetAttr camera.rotate 0 90 0");
+  EXPECT_EQ(w.run("frameView"), "camera");
+  const SceneSnapshot s = w.snapshot();
+  const dvec3 eye(s.camera.world_from_camera[3]), back(s.camera.world_from_camera[2]);
+  EXPECT_NEAR(back.x, 1.0, 1e-9) << "it looks along -x as before";
+  EXPECT_NEAR(eye.y, 0.0, 0.1);
+  EXPECT_GT(eye.x, 51.0);
+  EXPECT_LT(eye.x, 60.0);
+  w.run("frameView -azimuth 0 -elevation 90");
+  EXPECT_NEAR(w.snapshot().camera.world_from_camera[2].y, 1.0, 1e-9);
+  w.run("undo");
+  EXPECT_NEAR(w.snapshot().camera.world_from_camera[2].x, 1.0, 1e-9);
+}
+
+TEST(ViewCommands, FrameViewWorksUnderATransformAndForSingleNodes) {
+  TestWorkspace w;
+  w.run(
+      "createNode transform -name t\nsetAttr t.translate 1 2 3\nsetAttr t.rotate 10 20 30\ncreateNode camera "
+      "-name c -parent t\n"
+      "createNode transform -name far\nsetAttr far.translate 0 0 -100\ncreateNode atfmVolume -name "
+      "a\nsetAttr a.draw box\n"
+      "createNode atfmVolume -name b -parent far\nsetAttr b.draw box\nframeView b -azimuth 90 -elevation 0");
+  const dmat4 camera = w.snapshot().camera.world_from_camera;
+  EXPECT_NEAR(camera[3].z, -100.0, 1e-6);
+  EXPECT_NEAR(camera[2].x, 1.0, 1e-9);
+}
+
+TEST(ViewCommands, IsolateAndSnapshotTellWhatIsSeen) {
+  TestWorkspace w;
+  w.run(
+      "createNode atfmVolume -name a\nsetAttr a.draw box\ncreateNode atfmVolume -name b\nsetAttr b.draw "
+      "box\nisolate a");
+  EXPECT_NE(w.run("snapshot").find("medium a 0 voxels"), std::string::npos);
+  EXPECT_EQ(w.run("snapshot").find("medium b"), std::string::npos);
+  const std::string isolated = w.run("snapshot");
+  w.run("isolate -off");
+  EXPECT_NE(w.run("snapshot").find("medium b"), std::string::npos);
+  EXPECT_NE(w.run("snapshot"), isolated);
+}
+
+}  // namespace
+}  // namespace plinian::scene
