@@ -9,6 +9,7 @@
 #include "core/scene/nearest_word.h"
 #include "host/cli/command.h"
 #include "host/cli/console.h"
+#include "host/cli/render_command.h"
 #include "host/graph/graph_error.h"
 #include "host/scene/workspace.h"
 #include "host/sdk/plugin_description.h"
@@ -132,6 +133,7 @@ int describe_type(graph::Session& session, const std::string& name) {
 
 int run_plugins(const PluginsArguments& arguments) {
   scene::Workspace workspace;
+  add_render_command(workspace);
   graph::Session& session = workspace.session();
   if (!arguments.type.empty()) return describe_type(session, arguments.type);
   if (arguments.types) return list_types(session);

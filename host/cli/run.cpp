@@ -9,6 +9,7 @@
 
 #include "host/cli/command.h"
 #include "host/cli/console.h"
+#include "host/cli/render_command.h"
 #include "host/graph/files/scene_reader.h"
 #include "host/graph/graph_error.h"
 #include "host/scene/workspace.h"
@@ -42,6 +43,7 @@ int run_run(const RunArguments& arguments) {
   scene::Workspace workspace;
   graph::Session& session = workspace.session();
   session.on_warning = [](const std::string& line) { warn(line); };
+  add_render_command(workspace);
   if (!arguments.scenes.empty()) session.open_scene(arguments.scenes.front());
   if (arguments.echo) session.on_echo = [](const std::string& line) { print("> " + line + "\n"); };
   graph::run_script(session, text, arguments.script == "-" ? "standard input" : arguments.script,

@@ -57,6 +57,14 @@ inline double mean_of(const Image& image, const std::string& channel) {
   return sum / double(image.pixel_count());
 }
 
+// What a variation costs, by the counters of its second picture less those of its first.
+inline void expect_costs(const nlohmann::json& report, int maps, int uploads) {
+  const nlohmann::json &first = report["variants"][0], &second = report["variants"][1];
+  EXPECT_NE(first["scene_hash"], second["scene_hash"]) << "nothing was varied";
+  EXPECT_EQ(second["map_builds"].get<int>() - first["map_builds"].get<int>(), maps);
+  EXPECT_EQ(second["volume_uploads"].get<int>() - first["volume_uploads"].get<int>(), uploads);
+}
+
 // The shape that scripts rely on.
 inline void expect_bench_shape(const nlohmann::json& report, const std::string& renderer) {
   for (const char* preset : {"fast", "high"})

@@ -101,6 +101,21 @@ TEST_F(Program, WithoutThePluginASceneOpensSaysSoAndIsKeptByteForByte) {
   EXPECT_NE(bare.err.find("there is no plug-in 'atfm'"), std::string::npos) << bare.err;
 }
 
+TEST_F(Program, SwitchingTheQualitySetsBackAndForthGivesTheSamePictureToTheBit) {
+  render({"ash", "--resolution", "24", "-o", "start.png", "--save-scene", "a.plinian"});
+  folder_.write("switch.pln",
+                "render a.exr -renderer cpu -passes 2 -pixels float\nquality high\n"
+                "render b.exr -renderer cpu -passes 2 -pixels float\nquality fast\n"
+                "render c.exr -renderer cpu -passes 2 -pixels float\n");
+  const Ended ended = run({"run", "switch.pln", "a.plinian", "--quiet"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(ended.out, "a.exr\nhigh\nb.exr\nfast\nc.exr\n");
+  EXPECT_EQ(pixels_of(picture("a.exr")), pixels_of(picture("c.exr")));
+  EXPECT_NE(pixels_of(picture("a.exr")), pixels_of(picture("b.exr")));
+  folder_.write("bad.pln", "render a.jpeg2000");
+  EXPECT_NE(run({"run", "bad.pln"}).err.find("bad.pln:1: render: "), std::string::npos);
+}
+
 TEST_F(Program, ListsPluginsTypesAndCommands) {
   const json report = json::parse(run({"plugins", "--json"}).out);
   bool found = false;
@@ -114,6 +129,7 @@ TEST_F(Program, ListsPluginsTypesAndCommands) {
   const std::string medium = run({"plugins", "--type", "medium"}).out;
   EXPECT_NE(medium.find("albedo"), std::string::npos);
   EXPECT_NE(run({"plugins", "--commands"}).out.find("setAttr"), std::string::npos);
+  EXPECT_NE(run({"plugins", "--command", "render"}).out.find("renderer"), std::string::npos);
   EXPECT_NE(run({"plugins", "--type", "mediun"}).err.find("(did you mean 'medium'?)"), std::string::npos);
 }
 
@@ -134,6 +150,24 @@ TEST_F(Program, VariantsStandOnASheet) {
   EXPECT_EQ(run({"render", "sphere", "--vary", "medium.albedo=1"}).code, 1);
   EXPECT_NE(run({"render", "sphere", "--vary", "medium.albdo=1,2", "--sheet", "v.png"}).err.find("albedo"),
             std::string::npos);
+}
+
+TEST_F(Program, AnEditCostsNoMoreThanItsOwnWork) {
+  const auto varied = [&](const std::string& what) {
+    const Ended ended =
+        run({"render", "explosion", "--resolution", "16", "--renderer", "cpu", "--size", "8x8", "--passes",
+             "1", "--set", "map.resolution=16", "--sheet", "v.png", "--quiet", "--json", "--vary", what});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return json::parse(ended.out);
+  };
+  for (const char* free : {"medium.albedo=0.3,0.6", "medium.g=0.1,0.5", "key.exposure=0,1",
+                           "camera.translate.x=1,2", "medium.emission_scale=1,2"}) {
+    SCOPED_TRACE(free);
+    expect_costs(varied(free), 0, 0);
+  }
+  expect_costs(varied("medium.density_scale=5,9"), 2, 0);  // two lights
+  expect_costs(varied("key.rotate.y=10,40"), 1, 0);
+  expect_costs(varied("medium_noise.seed=1,2"), 2, 0);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ class Frames : public Program {
   std::vector<std::string> arguments(std::vector<std::string> more = {}) const {
     more.insert(more.begin(),
                 {"render", (data_ / "smoke_00000#.vdb").string(), "--frames", "1-3", "-o", "s.####.exr",
-                 "--renderer", "cpu", "--size", "32x32", "--passes", "40", "--set", "map.resolution=64"});
+                 "--renderer", "cpu", "--size", "24x24", "--passes", "4", "--set", "map.resolution=32"});
     return more;
   }
   json frames(std::vector<std::string> more = {}) {
@@ -55,7 +55,7 @@ TEST_F(Frames, GoOnWhereCtrlCStoppedThem) {
   options.signal_after_s = 0.02;
   // So many passes that the second frame is not done by then.
   std::vector<std::string> slow = arguments({"--set", "view.shade_samples=64"});
-  slow[std::size_t(std::find(slow.begin(), slow.end(), "40") - slow.begin())] = "3000";
+  slow[std::size_t(std::find(slow.begin(), slow.end(), "4") - slow.begin())] = "3000";
   const Ended ended = run(slow, options);
   EXPECT_EQ(ended.code, 130);
   EXPECT_NE(ended.err.find("interrupted: 1 of 3 frames are done"), std::string::npos) << ended.err;
@@ -70,7 +70,7 @@ TEST_F(Frames, GoOnWhereCtrlCStoppedThem) {
 
 TEST_F(Frames, WithoutARangeTheFirstFrameThatShowsAnythingIsThePicture) {
   const Ended ended = run({"render", (data_ / "smoke_00000#.vdb").string(), "--renderer", "cpu", "--size",
-                           "16x16", "--passes", "1", "--set", "map.resolution=64"});
+                           "16x16", "--passes", "1", "--set", "map.resolution=32"});
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_TRUE(fs::exists(folder_ / "smoke_000002.png")) << ended.err;
 }
