@@ -98,43 +98,6 @@ TEST(PluginManager, ASceneBringsTheInstalledPluginsThatItNeedsAndNoOthers) {
   EXPECT_EQ(warnings[1], "there is no plug-in 'none' in " + folder);
 }
 
-TEST(PluginManager, WhatCannotBeUsedIsRefusedAsAWhole) {
-  const TemporaryFolder own;
-  PluginSession s;
-  EXPECT_EQ(s.refusal("loadPlugin wabble"), "there is no plug-in 'wabble' in " + folder);
-  EXPECT_EQ(s.refusal("loadPlugin ./nowhere.so"), "./nowhere.so: there is no such file");
-  std::ofstream(own / "text.so") << "no library";
-  EXPECT_EQ(s.refusal("loadPlugin " + own / "text.so"),
-            own / "text.so" + std::string(": is not a shared library"));
-  EXPECT_EQ(s.refusal("loadPlugin throws"), folder + "/throws.so: failed to initialise: it is Monday");
-  EXPECT_EQ(
-      s.refusal("loadPlugin bad_type"),
-      folder + "/bad_type.so: node type 'badNode': attribute 'a' affects 'nothing', which is no output");
-  // The static initialisers of this one would end the program: it is judged by what it says of itself.
-  const auto described = [&](const std::string& plugin, const std::string& description) {
-    std::filesystem::copy_file(folder + "/" + plugin + ".so", own / plugin + ".so",
-                               std::filesystem::copy_options::overwrite_existing);
-    std::ofstream(own / plugin + ".so.plinian") << description;
-    return "loadPlugin " + own / plugin + ".so";
-  };
-  EXPECT_EQ(
-      s.refusal(described("plain", "name plain\nversion 1\nabi 2.0\n")),
-      own / "plain.so" + std::string(": was built for version 2.0 of the plug-in interface, this program has "
-                                     "1.1: it needs a newer Plinian"));
-  EXPECT_EQ(s.refusal(described("no_symbols", "name none\nversion 1\nabi 1.0\n")),
-            own / "no_symbols.so" + std::string(": lacks the function plinian_initialise"));
-  EXPECT_EQ(s.refusal(described("throws_through", "name through\nversion 1\nabi 1.0\n")),
-            own / "throws_through.so" + std::string(": failed to initialise: it threw an exception"));
-  s.run("loadPlugin wobble");
-  EXPECT_EQ(s.refusal("loadPlugin wobble"),
-            folder + "/wobble.so: the plug-in 'wobble' is loaded already, from " + folder + "/wobble.so");
-  EXPECT_EQ(s.refusal("loadPlugin same_type"),
-            folder + "/same_type.so: node type 'wobble' is already registered by the plug-in 'wobble'");
-  EXPECT_EQ(s.refusal("loadPlugin same_command"),
-            folder + "/same_command.so: the command 'wobbleAll' is already registered");
-  EXPECT_EQ(s.refusal("unloadPlugin wible"), "the plug-in 'wible' is not loaded (did you mean 'wobble'?)");
-}
-
 TEST(PluginManager, ACurrentFolderIsNoSearchPath) {
   const TemporaryFolder own;
   std::filesystem::copy_file(folder + "/wobble.so", own / "wobble.so");

@@ -16,6 +16,75 @@ static void initialise(plinian::sdk::Plugin& plugin) {
   plugin.add(type);
 }
 PLINIAN_PLUGIN("bad", "1.0", "Nobody", "node:badNode", initialise);
+#elif defined(BAD_DATA)
+// Registers a data type as often as BAD_DATA says.
+struct Thing {};
+static void initialise(plinian::sdk::Plugin& plugin) {
+  using namespace plinian::sdk;
+  for (int i = 0; i < BAD_DATA; ++i)
+    plugin.add(DataType::of<Thing>(
+        "pointList", [](const Thing&) { return std::string(); },
+        [](std::string_view) { return std::make_unique<const Thing>(); }));
+}
+PLINIAN_PLUGIN("bad", "1.0", "Nobody", "data:pointList", initialise);
+#elif defined(BAD_CONTRIBUTE)
+// Fit to be loaded; its nodes fail, each in its own way.
+static void initialise(plinian::sdk::Plugin& plugin) {
+  using namespace plinian::sdk;
+  NodeType type("sky");
+  const Attribute how = type.add({.name = "how", .type = "string"});
+  type.contribute = [=](Context& context, Contribution& out) {
+    if (context.text(how) == "throws") throw Error("the sky has fallen");
+    if (context.text(how) == "other") throw 7;
+    if (context.text(how) == "volume") out.add(Medium{});
+    if (context.text(how) == "light") out.add(Light{.name = "sun", .toward = {0, 0, 0}});
+    if (context.text(how) == "matrix") out.add(Camera{.object_from_camera = scaled(0.0)});
+    if (context.text(how) == "bounds") out.add_bounds({1, 0, 0}, {0, 0, 0});
+  };
+  plugin.add(type);
+}
+PLINIAN_PLUGIN("bad", "1.0", "Nobody", "node:sky", initialise);
+#elif defined(BAD_DRAW)
+static void initialise(plinian::sdk::Plugin& plugin) {
+  using namespace plinian::sdk;
+  NodeType type("sky");
+  type.add({.name = "height"});
+  Draw<int, int> draw;
+  draw.affected_by = "heigth";
+  draw.prepare = [](Context&) { return std::make_unique<const int>(1); };
+  type.draw = draw_override(draw);
+  plugin.add(type);
+}
+PLINIAN_PLUGIN("bad", "1.0", "Nobody", "node:sky", initialise);
+#elif defined(BAD_MENU)
+static void initialise(plinian::sdk::Plugin& plugin) {
+  using namespace plinian::sdk;
+  plugin.add(NodeType("sky"));
+  plugin.add(MenuEntry{.path = "Sky", .command = "createNode sky"});
+}
+PLINIAN_PLUGIN("bad", "1.0", "Nobody", "node:sky", initialise);
+#elif defined(BAD_FILE)
+static void initialise(plinian::sdk::Plugin& plugin) {
+  using namespace plinian::sdk;
+  plugin.add(NodeType("sky"));
+  plugin.add(
+      FileType{.name = "others", .extensions = "xyz", .import_file = [](Call&, const std::string&) {}});
+}
+PLINIAN_PLUGIN("bad", "1.0", "Nobody", "node:sky file:others", initialise);
+#elif defined(BAD_EVENT)
+static void initialise(plinian::sdk::Plugin& plugin) {
+  using namespace plinian::sdk;
+  plugin.on("timeChanged", [](const Event&) {});
+  plugin.on("tomeChanged", [](const Event&) {});
+}
+PLINIAN_PLUGIN("bad", "1.0", "Nobody", "", initialise);
+#elif defined(BAD_SYMBOL)
+// Needs a function that nobody has.
+extern "C" void plinian_test_nobody_has_this();
+static void initialise(plinian::sdk::Plugin&) {
+  plinian_test_nobody_has_this();
+}
+PLINIAN_PLUGIN("bad", "1.0", "Nobody", "", initialise);
 #elif defined(BAD_PLAIN)
 // Without plugin.h: described by a file beside it, and throwing through the boundary or lacking functions.
 #if defined(BAD_THROWS_THROUGH)

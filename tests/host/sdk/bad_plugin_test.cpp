@@ -1,0 +1,93 @@
+// Plug-ins that are unfit: each is refused with one line, and leaves nothing behind.
+#include <fstream>
+
+#include "tests/core/scene/temporary_folder.h"
+#include "tests/host/sdk/plugin_session.h"
+
+namespace plinian::sdk {
+namespace {
+
+const std::string folder = PLINIAN_TEST_PLUGINS;
+
+TEST(BadPlugin, WhatCannotBeUsedIsRefusedAsAWhole) {
+  const TemporaryFolder own;
+  PluginSession s;
+  EXPECT_EQ(s.refusal("loadPlugin wabble"), "there is no plug-in 'wabble' in " + folder);
+  EXPECT_EQ(s.refusal("loadPlugin ./nowhere.so"), "./nowhere.so: there is no such file");
+  std::ofstream(own / "text.so") << "no library";
+  EXPECT_EQ(s.refusal("loadPlugin " + own / "text.so"),
+            own / "text.so" + std::string(": is not a shared library"));
+  EXPECT_EQ(s.refusal("loadPlugin throws"), folder + "/throws.so: failed to initialise: it is Monday");
+  EXPECT_EQ(
+      s.refusal("loadPlugin bad_type"),
+      folder + "/bad_type.so: node type 'badNode': attribute 'a' affects 'nothing', which is no output");
+  // The static initialisers of this one would end the program: it is judged by what it says of itself.
+  const auto described = [&](const std::string& plugin, const std::string& description) {
+    std::filesystem::copy_file(folder + "/" + plugin + ".so", own / plugin + ".so",
+                               std::filesystem::copy_options::overwrite_existing);
+    std::ofstream(own / plugin + ".so.plinian") << description;
+    return "loadPlugin " + own / plugin + ".so";
+  };
+  EXPECT_EQ(
+      s.refusal(described("plain", "name plain\nversion 1\nabi 2.0\n")),
+      own / "plain.so" + std::string(": was built for version 2.0 of the plug-in interface, this program has "
+                                     "1.1: it needs a newer Plinian"));
+  EXPECT_EQ(s.refusal(described("no_symbols", "name none\nversion 1\nabi 1.0\n")),
+            own / "no_symbols.so" + std::string(": lacks the function plinian_initialise"));
+  EXPECT_EQ(s.refusal(described("throws_through", "name through\nversion 1\nabi 1.0\n")),
+            own / "throws_through.so" + std::string(": failed to initialise: it threw an exception"));
+  s.run("loadPlugin wobble");
+  EXPECT_EQ(s.refusal("loadPlugin wobble"),
+            folder + "/wobble.so: the plug-in 'wobble' is loaded already, from " + folder + "/wobble.so");
+  EXPECT_EQ(s.refusal("loadPlugin same_type"),
+            folder + "/same_type.so: node type 'wobble' is already registered by the plug-in 'wobble'");
+  EXPECT_EQ(s.refusal("loadPlugin same_command"),
+            folder + "/same_command.so: the command 'wobbleAll' is already registered");
+  EXPECT_EQ(s.refusal("unloadPlugin wible"), "the plug-in 'wible' is not loaded (did you mean 'wobble'?)");
+  EXPECT_EQ(s.refusal("loadPlugin bad_draw"),
+            folder +
+                "/bad_draw.so: failed to initialise: node type 'sky': its draw override is affected by "
+                "'heigth', which is no input (did you mean 'height'?)");
+  EXPECT_EQ(s.refusal("loadPlugin bad_menu"),
+            folder + "/bad_menu.so: failed to initialise: a menu entry is named MENU/ENTRY, not 'Sky'");
+  EXPECT_EQ(s.refusal("loadPlugin bad_event"),
+            folder +
+                "/bad_event.so: failed to initialise: there is no event 'tomeChanged' (did you mean "
+                "'timeChanged'?)");
+  EXPECT_EQ(s.refusal("loadPlugin data_twice"),
+            folder + "/data_twice.so: data type 'pointList' is already registered by the plug-in 'bad'");
+  EXPECT_EQ(s.refusal("loadPlugin bad_symbol").find(folder + "/bad_symbol.so: cannot be loaded: "), 0u);
+  s.run("loadPlugin extras");
+  EXPECT_EQ(s.refusal("loadPlugin same_data"),
+            folder + "/same_data.so: data type 'pointList' is already registered by the plug-in 'extras'");
+  EXPECT_EQ(s.refusal("loadPlugin same_file"),
+            folder + "/same_file.so: the file type 'others' cannot take .xyz, which 'points' has");
+  // Nothing of those that were refused is left behind.
+  s.run("currentTime 7\nunloadPlugin extras\nloadPlugin same_data\nunloadPlugin bad\nloadPlugin same_file");
+}
+
+TEST(BadPlugin, AContributionThatFailsIsAnErrorOfItsNodeAlone) {
+  PluginSession s;
+  s.run("loadPlugin bad_contribute\ncreateNode sky -name x\ncreateNode sky -name fine");
+  const auto error = [&](const std::string& how) {
+    s.run("setAttr x.how " + how);
+    EXPECT_EQ(s.run("evaluate fine.contribution").find("fine.contribution plinian.contribution"), 0u);
+    return graph::message_of([&] { s.session.execute("evaluate x.contribution"); });
+  };
+  EXPECT_EQ(error("throws"), "x.contribution: the sky has fallen");
+  EXPECT_EQ(error("other"), "x.contribution: failed without saying why");
+  EXPECT_EQ(error("volume"), "x.contribution: a medium of voxels needs a volume");
+  EXPECT_EQ(error("light"), "x.contribution: a light 'sun': its toward has no length");
+  EXPECT_EQ(error("matrix"),
+            "x.contribution: a camera: its object_from_camera is no transform that could be taken back");
+  EXPECT_EQ(error("bounds"), "x.contribution: bounds must be finite, the minimum below the maximum");
+  s.session.evaluator().take_reports();
+  s.run("setAttr x.how throws");
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NE(graph::message_of([&] { s.session.execute("evaluate x.contribution"); }), "");
+  EXPECT_EQ(s.session.evaluator().take_reports(),
+            std::vector<std::string>{"x.contribution: the sky has fallen"});
+}
+
+}  // namespace
+}  // namespace plinian::sdk
