@@ -148,9 +148,9 @@ ResultPtr Evaluation::evaluate(const Plug& wanted) {
 
 // A result that will do, from here or from before. What was looked for in vain is noted by an empty result.
 const Result* Evaluation::find(const Plug& plug, bool need_value) {
-  const auto [place, fresh] = results_.try_emplace(plug);
-  if (fresh && services_.known) place->second = services_.known(plug);
-  const Result* result = place->second.get();
+  const auto [place, fresh] = results_.emplace(plug);
+  if (fresh && services_.known) *place = services_.known(plug);
+  const Result* result = place->get();
   return result && (result->has_value || result->error || !need_value) ? result : nullptr;
 }
 
@@ -279,10 +279,8 @@ ResultPtr Evaluation::evaluate_at(double time, const Plug& plug) {
     EvaluationServices services = services_;
     // What does not depend on time need not be looked for again.
     services.known = [this](const Plug& wanted) -> ResultPtr {
-      const auto found = results_.find(wanted);
-      ResultPtr result = found != results_.end() ? found->second
-                         : services_.known       ? services_.known(wanted)
-                                                 : nullptr;
+      const ResultPtr* found = results_.find(wanted);
+      ResultPtr result = found ? *found : services_.known ? services_.known(wanted) : nullptr;
       return result && !result->time_dependent ? result : nullptr;
     };
     other = std::make_unique<Evaluation>(snapshot_, time, services);

@@ -49,7 +49,7 @@ class Evaluation {
   ResultPtr evaluate(const Plug& plug);
 
   /// What was looked at, with its result; null for what was not needed in the end.
-  const std::unordered_map<Plug, ResultPtr>& results() const { return results_; }
+  const FlatMap<Plug, ResultPtr>& results() const { return results_; }
   const EvaluationCounters& counters() const { return counters_; }
   /// Inputs that computations read although they do not affect the output, as "node.out reads node.seed".
   const std::map<Plug, std::set<Plug>>& undeclared_reads() const { return undeclared_reads_; }
@@ -73,7 +73,7 @@ class Evaluation {
   GraphSnapshotPtr snapshot_;
   double time_;  // [frames]
   EvaluationServices services_;
-  std::unordered_map<Plug, ResultPtr> results_;
+  FlatMap<Plug, ResultPtr> results_;
   std::map<double, std::unique_ptr<Evaluation>> other_times_;
   std::map<Plug, std::set<Plug>> undeclared_reads_;
   std::unordered_map<const NodeType*, std::uint64_t> computes_;

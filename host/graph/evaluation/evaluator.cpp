@@ -29,24 +29,43 @@ Evaluator::~Evaluator() {
 }
 
 const Evaluator::OutputState* Evaluator::state(const Plug& output) const {
-  const Node* node = graph_.find(output.node);
-  if (!node || output.node.value >= states_.size()) return nullptr;
-  const auto outputs = node->schema->outputs();
-  const auto at = std::find(outputs.begin(), outputs.end(), output.attribute);
-  return at == outputs.end() ? nullptr : &states_[output.node.value][std::size_t(at - outputs.begin())];
+  if (output.node.value >= state_ranges_.size()) return nullptr;
+  const StateRange& range = state_ranges_[output.node.value];
+  if (!range.there) return nullptr;
+  for (std::uint32_t i = range.first; i < range.first + range.count; ++i)
+    if (states_[i].attribute == output.attribute) return &states_[i];
+  return nullptr;
 }
 
 Evaluator::OutputState* Evaluator::state(const Plug& output) {
   return const_cast<OutputState*>(static_cast<const Evaluator*>(this)->state(output));
 }
 
+std::span<Evaluator::OutputState> Evaluator::states_of(NodeId node) {
+  const StateRange& range = state_ranges_[node.value];
+  return std::span(states_).subspan(range.first, range.count);
+}
+
 void Evaluator::add_states(NodeId id) {
   const Node& node = *graph_.find(id);
-  if (states_.size() <= id.value) states_.resize(id.value + 1);
-  auto& states = states_[id.value];
+  if (state_ranges_.size() <= id.value) state_ranges_.resize(id.value + 1);
+  StateRange& range = state_ranges_[id.value];
+  range.there = true;
+  const auto outputs = node.schema->outputs();
+  if (outputs.size() > range.count) {
+    // A node of another type has come in its place, or of any: it moves to the end.
+    const StateRange before = range;
+    range.first = std::uint32_t(states_.size());
+    states_.resize(states_.size() + outputs.size());
+    for (std::uint32_t i = 0; i < before.count; ++i)
+      states_[range.first + i].pending = states_[before.first + i].pending;
+  }
+  range.count = std::uint16_t(outputs.size());
   // A count of pending requests survives: they end some time.
-  states.resize(node.schema->outputs().size());
-  for (OutputState& state : states) state = {.pending = state.pending, .dirtied_at = moment_};
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    OutputState& state = states_[range.first + i];
+    state = {.attribute = outputs[i], .pending = state.pending, .dirtied_at = moment_};
+  }
   if (node.type->spec().time_source)
     time_sources_.insert(id);
   else
@@ -64,8 +83,9 @@ void Evaluator::edited(const Edit& edit) {
     time_sources_.erase(remove->node);
     for (auto failing = failing_.begin(); failing != failing_.end();)
       failing = failing->first.node == remove->node ? failing_.erase(failing) : std::next(failing);
-    for (OutputState& state : states_[remove->node.value])
-      state = {.pending = state.pending, .dirtied_at = moment_};
+    for (OutputState& state : states_of(remove->node))
+      state = {.attribute = state.attribute, .pending = state.pending, .dirtied_at = moment_};
+    state_ranges_[remove->node.value].there = false;
     for (const RequestPtr& request : in_flight_)
       if (const auto first = request->covered.lower_bound({remove->node});
           first != request->covered.end() && first->node == remove->node)
@@ -215,8 +235,8 @@ void Evaluator::forget() {
   cache_.clear();
   cancel_all();
   ++moment_;
-  for (auto& states : states_)
-    for (OutputState& state : states) state = {.pending = state.pending, .dirtied_at = moment_};
+  for (OutputState& state : states_)
+    state = {.attribute = state.attribute, .pending = state.pending, .dirtied_at = moment_};
 }
 
 std::vector<std::string> Evaluator::check(const Plug& plug) {

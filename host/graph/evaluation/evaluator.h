@@ -7,6 +7,7 @@
 #include <condition_variable>
 #include <deque>
 #include <set>
+#include <span>
 #include <thread>
 
 #include "host/graph/evaluation/evaluation.h"
@@ -85,10 +86,17 @@ class Evaluator : private GraphObserver {
 
  private:
   struct OutputState {
-    ResultPtr result, last_good;
-    bool clean = false;
+    AttributeIndex attribute = no_attribute;
     std::uint32_t pending = 0;     // requests that are computing it
     std::uint64_t dirtied_at = 0;  // moment
+    ResultPtr result, last_good;
+    bool clean = false;
+  };
+  // Where the states of a node's outputs are among all.
+  struct StateRange {
+    std::uint32_t first = 0;
+    std::uint16_t count = 0;
+    bool there = false;  // the node exists
   };
   struct Request {
     RequestId id = 0;
@@ -104,7 +112,7 @@ class Evaluator : private GraphObserver {
     Progress progress;
     // Filled in by the worker.
     std::vector<ResultPtr> results;
-    std::unordered_map<Plug, ResultPtr> computed;
+    FlatMap<Plug, ResultPtr> computed;
     EvaluationCounters counters;
   };
   using RequestPtr = std::shared_ptr<Request>;
@@ -112,6 +120,7 @@ class Evaluator : private GraphObserver {
   void edited(const Edit& edit) override;
   OutputState* state(const Plug& output);
   const OutputState* state(const Plug& output) const;
+  std::span<OutputState> states_of(NodeId node);
   void add_states(NodeId node);
   void push_dirt(const Plug& plug);
   void push_outputs(const Node& node);
@@ -126,7 +135,8 @@ class Evaluator : private GraphObserver {
   double time_ = 1.0;
   std::string folder_;
   ValueCache cache_;
-  std::vector<std::vector<OutputState>> states_;  // by node, then as the outputs of its schema
+  std::vector<OutputState> states_;       // of a node one after the other: what is dirtied lies together
+  std::vector<StateRange> state_ranges_;  // by node
   std::set<NodeId> time_sources_;
   std::uint64_t moment_ = 1;  // counts edits and changes of time
   std::map<Plug, std::string> failing_;

@@ -111,7 +111,7 @@ void Evaluator::end(const RequestPtr& request) {
     if (output && !output->clean && output->dirtied_at <= request->moment) accept(plug, result);
   }
   for (const Plug& plug : request->covered)
-    if (plug.node.value < states_.size())
+    if (plug.node.value < state_ranges_.size())
       if (OutputState* output = state(plug); output && output->pending > 0) --output->pending;
   count(request->counters);
   Outcome outcome;

@@ -12,24 +12,27 @@ constexpr std::size_t max_light_entries = 1'000'000;
 
 std::optional<ValueCache::Entry> ValueCache::find(Hash key) {
   const std::lock_guard lock(mutex_);
-  const auto found = entries_.find(key);
-  if (found == entries_.end()) return std::nullopt;
-  Stored& stored = found->second;
-  if (stored.bytes > 0) recent_.splice(recent_.begin(), recent_, stored.recent);
-  return stored.entry;
+  const Stored* stored = entries_.find(key);
+  if (!stored) return std::nullopt;
+  if (!stored->extra) return Entry{stored->result, {}};
+  if (stored->bytes() > 0) recent_.splice(recent_.begin(), recent_, stored->extra->recent);
+  return Entry{stored->result, stored->extra->reads};
 }
 
 void ValueCache::insert(Hash key, Entry entry) {
   const std::lock_guard lock(mutex_);
-  Stored& stored = entries_[key];
-  const bool was_light = stored.entry.result && stored.bytes == 0;
-  if (stored.bytes > 0) recent_.erase(stored.recent);
-  bytes_ -= stored.bytes;
-  stored.entry = std::move(entry);
-  stored.bytes = bytes_held(stored.entry.result->value);
-  bytes_ += stored.bytes;
-  if (stored.bytes > 0)
-    stored.recent = recent_.insert(recent_.begin(), key);
+  const auto [stored, fresh] = entries_.emplace(key);
+  const bool was_light = !fresh && stored->bytes() == 0;
+  if (stored->bytes() > 0) recent_.erase(stored->extra->recent);
+  bytes_ -= stored->bytes();
+  stored->result = std::move(entry.result);
+  const std::size_t bytes = bytes_held(stored->result->value);
+  stored->extra.reset();
+  if (bytes > 0 || !entry.reads.empty())
+    stored->extra = std::make_unique<Extra>(Extra{std::move(entry.reads), bytes, {}});
+  bytes_ += bytes;
+  if (bytes > 0)
+    stored->extra->recent = recent_.insert(recent_.begin(), key);
   else if (!was_light)
     light_.push_back(key);
   shrink();
@@ -37,20 +40,20 @@ void ValueCache::insert(Hash key, Entry entry) {
 
 void ValueCache::shrink() {
   while (bytes_ > budget_ && !recent_.empty()) {
-    Stored& oldest = entries_.at(recent_.back());
-    Result husk = *oldest.entry.result;
+    Stored& oldest = *entries_.find(recent_.back());
+    Result husk = *oldest.result;
     husk.value = {};
     husk.has_value = false;
-    oldest.entry.result = std::make_shared<const Result>(std::move(husk));
-    bytes_ -= oldest.bytes;
-    oldest.bytes = 0;
+    oldest.result = std::make_shared<const Result>(std::move(husk));
+    bytes_ -= oldest.bytes();
+    oldest.extra->bytes = 0;
     light_.push_back(recent_.back());
     recent_.pop_back();
   }
   while (light_.size() > max_light_entries) {
     // It may have got a larger value since.
-    const auto oldest = entries_.find(light_.front());
-    if (oldest != entries_.end() && oldest->second.bytes == 0) entries_.erase(oldest);
+    const Stored* oldest = entries_.find(light_.front());
+    if (oldest && oldest->bytes() == 0) entries_.erase(light_.front());
     light_.pop_front();
   }
 }

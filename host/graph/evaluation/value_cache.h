@@ -6,9 +6,9 @@
 #include <list>
 #include <mutex>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
+#include "host/graph/evaluation/flat_map.h"
 #include "host/graph/evaluation/result.h"
 
 namespace plinian::graph {
@@ -42,15 +42,21 @@ class ValueCache {
   std::size_t bytes() const;  // held at the moment
 
  private:
-  struct Stored {
-    Entry entry;
+  // What few entries have.
+  struct Extra {
+    std::vector<OtherTimeRead> reads;
     std::size_t bytes = 0;               // that the value holds
     std::list<Hash>::iterator recent{};  // where bytes > 0: its place in recent_
+  };
+  struct Stored {
+    ResultPtr result;
+    std::unique_ptr<Extra> extra;  // null: a number, made of nothing from another time
+    std::size_t bytes() const { return extra ? extra->bytes : 0; }
   };
   void shrink();
 
   mutable std::mutex mutex_;
-  std::unordered_map<Hash, Stored> entries_;
+  FlatMap<Hash, Stored> entries_;
   std::list<Hash> recent_;  // values that hold memory, the most recently used first
   std::deque<Hash> light_;  // numbers, and what is left of values that have gone, the oldest first
   std::size_t budget_, bytes_ = 0;

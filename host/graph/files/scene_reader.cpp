@@ -32,6 +32,9 @@ class SceneReader {
     const History::Scope scope(editor_.history(), "open");
     greet(scene);
     prepare_types(scene);
+    texts_.reserve(scene.nodes.size());
+    report_.nodes.reserve(scene.nodes.size());
+    by_name_.reserve(scene.nodes.size());
     for (const NodeSection& section : scene.nodes) add_node(section, scene.is_newer());
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) place(scene.nodes[i], report_.nodes[i]);
     const auto node_of = [this](std::string_view name) {

@@ -20,7 +20,7 @@ std::string_view component_letters(AttributeType type) {
 
 }  // namespace
 
-Graph::Graph() : nodes_(1), outgoing_(1), children_(1) {}
+Graph::Graph() : outgoing_(1), children_(1) {}
 
 const Node* Graph::find(std::string_view name) const {
   const auto found = by_name_.find(std::string(name));
@@ -37,8 +37,8 @@ const Node& Graph::get(std::string_view name) const {
 std::vector<const Node*> Graph::nodes() const {
   std::vector<const Node*> result;
   result.reserve(size());
-  for (const auto& node : nodes_)
-    if (node) result.push_back(node.get());
+  for (NodeId id; id.value < nodes_.end(); ++id.value)
+    if (const Node* node = nodes_.find(id)) result.push_back(node);
   return result;
 }
 
@@ -134,7 +134,7 @@ std::string Graph::unique_name(const std::string& wanted) const {
 GraphSnapshotPtr Graph::snapshot() const {
   if (!snapshot_ || snapshot_->generation_ != generation_) {
     const auto snapshot = std::make_shared<GraphSnapshot>();
-    snapshot->nodes_.assign(nodes_.begin(), nodes_.end());
+    snapshot->nodes_ = nodes_;
     snapshot->generation_ = generation_;
     snapshot_ = snapshot;
     ++epoch_;

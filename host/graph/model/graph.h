@@ -13,6 +13,7 @@
 
 #include "host/graph/edits/edit.h"
 #include "host/graph/model/node.h"
+#include "host/graph/model/node_pages.h"
 #include "host/graph/values/value_text.h"
 
 namespace plinian::graph {
@@ -26,12 +27,12 @@ struct Connection {
 class GraphSnapshot {
  public:
   /// The node of that number, or null.
-  const Node* find(NodeId id) const { return id.value < nodes_.size() ? nodes_[id.value].get() : nullptr; }
+  const Node* find(NodeId id) const { return nodes_.find(id); }
   std::uint64_t generation() const { return generation_; }
 
  private:
   friend class Graph;
-  std::vector<NodePtr> nodes_;
+  NodePages nodes_;
   std::uint64_t generation_ = 0;
 };
 using GraphSnapshotPtr = std::shared_ptr<const GraphSnapshot>;
@@ -50,7 +51,7 @@ class Graph {
   Graph& operator=(const Graph&) = delete;
 
   /// The node of that number or name, or null.
-  const Node* find(NodeId id) const { return id.value < nodes_.size() ? nodes_[id.value].get() : nullptr; }
+  const Node* find(NodeId id) const { return nodes_.find(id); }
   const Node* find(std::string_view name) const;
   /// The node of that name. Throws GraphError with the nearest name.
   const Node& get(std::string_view name) const;
@@ -112,7 +113,7 @@ class Graph {
   Edit apply_one(const SetKeptType& edit);
   Node& changeable(NodeId id);
 
-  std::vector<std::shared_ptr<Node>> nodes_;    // by number; number 0 is nobody's
+  NodePages nodes_;                             // number 0 is nobody's
   std::vector<std::set<Connection>> outgoing_;  // by number
   std::vector<std::set<NodeId>> children_;      // by number; of 0: the top of the hierarchy
   std::unordered_map<std::string, NodeId> by_name_;

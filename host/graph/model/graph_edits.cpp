@@ -1,6 +1,7 @@
 // The only code that changes a graph. It checks nothing: Editor does.
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "host/graph/model/graph.h"
 
@@ -40,7 +41,7 @@ Edit Graph::apply(const Edit& edit) {
 
 // The node itself, or a copy in its place where a snapshot may hold it.
 Node& Graph::changeable(NodeId id) {
-  std::shared_ptr<Node>& node = nodes_[id.value];
+  std::shared_ptr<Node>& node = nodes_.place(id, epoch_);
   assert(node);
   if (node->epoch < epoch_) {
     node = std::make_shared<Node>(*node);
@@ -53,21 +54,19 @@ Edit Graph::apply_one(const AddNode& edit) {
   const auto node = std::make_shared<Node>(*edit.node);
   node->epoch = epoch_;
   next_id_ = std::max(next_id_, node->id.value + 1);
-  if (nodes_.size() <= node->id.value) {
-    nodes_.resize(node->id.value + 1);
+  if (outgoing_.size() <= node->id.value) {
     outgoing_.resize(node->id.value + 1);
     children_.resize(node->id.value + 1);
   }
-  assert(!nodes_[node->id.value] && !by_name_.contains(node->name) && node->inputs.empty());
-  nodes_[node->id.value] = node;
+  assert(!nodes_.find(node->id) && !by_name_.contains(node->name) && node->inputs.empty());
+  nodes_.place(node->id, epoch_) = node;
   by_name_.emplace(node->name, node->id);
   if (node->type->spec().hierarchical) children_[node->parent.value].insert(node->id);
   return RemoveNode{node->id};
 }
 
 Edit Graph::apply_one(const RemoveNode& edit) {
-  const std::shared_ptr<Node> node = std::move(nodes_[edit.node.value]);
-  nodes_[edit.node.value] = nullptr;
+  const std::shared_ptr<Node> node = std::exchange(nodes_.place(edit.node, epoch_), nullptr);
   assert(node && node->inputs.empty() && outgoing_[edit.node.value].empty() &&
          children_[edit.node.value].empty());
   by_name_.erase(node->name);
@@ -79,7 +78,7 @@ Edit Graph::apply_one(const RemoveNode& edit) {
 }
 
 Edit Graph::apply_one(const ReplaceNode& edit) {
-  std::shared_ptr<Node>& node = nodes_[edit.node->id.value];
+  std::shared_ptr<Node>& node = nodes_.place(edit.node->id, epoch_);
   assert(node && node->name == edit.node->name && node->parent == edit.node->parent);
   ReplaceNode inverse{std::move(node)};
   if (edit.node->type->spec().hierarchical)
