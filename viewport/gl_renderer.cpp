@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "core/integrate/media_pixels.h"
 #include "core/scene/frame_layers.h"
 #include "core/scene/rest_gauge.h"
 #include "core/transmittance/map_key.h"
@@ -33,8 +34,10 @@ struct ContextLost : std::runtime_error {
 
 /// What is kept on the GPU for one batch of lights.
 struct BatchState {
-  gl::Texture maps, sums;
-  ivec3 maps_size{0}, sums_size{0};
+  gl::TexelBuffer maps;  // see map_texel() in scene_access.glsl
+  gl::Texture sums;
+  std::size_t map_texels = 0;  // RGBA32UI
+  ivec3 sums_size{0};
   std::vector<std::optional<MapKey>> built;  // one per layer of maps
 };
 
@@ -107,12 +110,12 @@ std::vector<const passes::VolumeTextures*> GlRenderer::upload(const FlatScene& f
 }
 
 void GlRenderer::build_maps(const FlatScene& flat, BatchState& batch, const std::function<bool()>& go_on) {
-  const int words = words_per_texel(flat.layout.coefficients);
-  const ivec3 size(flat.layout.resolution * words, flat.layout.resolution,
-                   std::max<int>(1, int(flat.maps.size())));
-  if (batch.maps_size != size) {
-    batch.maps = gl::make_texture_array(GL_RGBA32UI, size);
-    batch.maps_size = size;
+  const std::size_t texels = std::size_t(flat.layout.resolution) * flat.layout.resolution *
+                             words_per_texel(flat.layout.coefficients) *
+                             std::max<std::size_t>(1, flat.maps.size());
+  if (batch.map_texels != texels || batch.built.size() != flat.maps.size()) {
+    batch.maps = gl::make_texel_buffer(GL_RGBA32UI, texels, sizeof(uvec4), nullptr);
+    batch.map_texels = texels;
     batch.built.assign(flat.maps.size(), std::nullopt);
   }
   for (std::size_t i = 0; i < flat.maps.size(); ++i) {
@@ -123,38 +126,35 @@ void GlRenderer::build_maps(const FlatScene& flat, BatchState& batch, const std:
     batch.built[i] = std::move(key);
     ++stats_.map_builds;
   }
-  stats_.map_bytes += std::size_t(size.x) * size.y * size.z * 16;
+  stats_.map_bytes += texels * sizeof(uvec4);
 }
 
-/// Adds the planes of a batch to the sums of a picture; its lights begin at number first_light.
-void read_sums(const gl::Texture& planes, const FlatScene& flat, const SceneSnapshot& scene,
-               std::size_t first_light, bool with_media, FrameSums& sums) {
-  const std::size_t pixels = sums.depth.size();
-  std::vector<vec4> plane(pixels);
+/// Adds what `passes` of a batch left in `box` of its planes to the sums of a picture; its lights begin at
+/// number first_light. Outside the box nothing stands in the way.
+void read_sums(const gl::Texture& planes, const FlatScene& flat, const SceneSnapshot& scene, PixelBox box,
+               int passes, std::size_t first_light, bool with_media, FrameSums& sums) {
+  std::vector<vec4> plane(std::size_t(box.size.x) * box.size.y);
   const auto read = [&](int layer) {
-    glGetTextureSubImage(planes.name(), 0, 0, 0, layer, scene.width, scene.height, 1, GL_RGBA, GL_FLOAT,
-                         GLsizei(pixels * sizeof(vec4)), plane.data());
-  };
-  const auto add = [&](std::vector<vec3>& to) {
-    for (std::size_t i = 0; i < pixels; ++i) to[i] += vec3(plane[i]);
+    if (!box.empty())
+      glGetTextureSubImage(planes.name(), 0, box.first.x, box.first.y, layer, box.size.x, box.size.y, 1,
+                           GL_RGBA, GL_FLOAT, GLsizei(plane.size() * sizeof(vec4)), plane.data());
   };
   const passes::PlaneLayout layout = passes::plane_layout(flat, scene);
   if (with_media) {
     read(0);
-    add(sums.transmittance);
-    for (std::size_t i = 0; i < pixels; ++i) sums.depth[i] = plane[i].w;
+    set_media_plane(sums, scene.width, box, plane, passes);
     if (layout.ambient >= 0) {
       read(layout.ambient);
-      add(sums.ambient);
+      add_plane(sums.ambient, scene.width, box, plane);
     }
     if (layout.emission >= 0) {
       read(layout.emission);
-      add(sums.emission);
+      add_plane(sums.emission, scene.width, box, plane);
     }
   }
   for (std::size_t l = 0; l < flat.lights.size(); ++l) {
     read(layout.first_light + int(l));
-    add(sums.lights[first_light + l]);
+    add_plane(sums.lights[first_light + l], scene.width, box, plane);
   }
 }
 
@@ -205,6 +205,7 @@ Frame GlRenderer::render_once(const SceneSnapshot& scene, const Passes& passes, 
   if (whole.media.empty()) return empty_frame(scene);
   if (!gpu_) gpu_.emplace();
   const auto textures = upload(whole);
+  const PixelBox box = media_pixels(whole, scene.camera, scene.width, scene.height);
 
   double done = 0.0;
   const std::function<bool()> go_on =
@@ -245,7 +246,7 @@ Frame GlRenderer::render_once(const SceneSnapshot& scene, const Passes& passes, 
       state.sums_size = size;
     }
     done = job++ / jobs;
-    if (!gpu_->view_pass.render(gpu_->blocks, flat, scene, state.maps, pass, first, state.sums, go_on))
+    if (!gpu_->view_pass.render(gpu_->blocks, flat, scene, state.maps, pass, first, box, state.sums, go_on))
       throw RenderCancelled();
     glFinish();
     stats_.view_ms += milliseconds_since(start);
@@ -257,14 +258,16 @@ Frame GlRenderer::render_once(const SceneSnapshot& scene, const Passes& passes, 
     FrameSums sums(scene, whole.lights.size());
     std::size_t first_light = 0;
     for (std::size_t b = 0; b < batches.size(); ++b) {
-      read_sums(gpu_->batches[b].sums, batches[b], scene, first_light, b == 0, sums);
+      read_sums(gpu_->batches[b].sums, batches[b], scene, box, std::min(passes_done, map_passes), first_light,
+                b == 0, sums);
       first_light += batches[b].lights.size();
     }
     if (passes_done > map_passes) {
       // Media are seen the same by every light's passes: those of the first count.
       FrameSums rest(scene, whole.lights.size());
       for (std::size_t b = 0; b < exact_parts.size(); ++b)
-        read_sums(gpu_->exact_batches[b].sums, exact_parts[b], scene, b, b == 0, rest);
+        read_sums(gpu_->exact_batches[b].sums, exact_parts[b], scene, box, passes_done - map_passes, b,
+                  b == 0, rest);
       add_passes(sums, rest);
     }
     return resolve(std::move(sums), scene, passes_done);

@@ -20,8 +20,11 @@ namespace plinian {
 /// x: bit 31 set: occupied, the low bits are a brick number (on the last level) or a node number.
 ///    bit 31 clear: empty; the value d >= 1 says that every cell of the same level and node (or root) at a
 ///    Chebyshev distance below d is empty too.
-/// y: packHalf2x16(minimum, maximum) of the values below, relative to density_max, both rounded outwards.
-///    A brick's voxels are stored as fractions of that maximum.
+/// y: bits 16-31: the maximum of the values below relative to density_max, a half, rounded up; a brick's
+/// voxels
+///    are stored as fractions of it. Bits 8-15: the minimum in 255ths of that maximum, rounded down. Bits
+///    0-7, of a brick: which of its octants of 4^3 cells hold anything, x + 2 y + 4 z being the number of a
+///    bit.
 using BrickEntry = uvec2;
 
 class BrickVolume {

@@ -34,16 +34,31 @@ ivec3 shift_right(ivec3 v, int shift) {
   return {v.x >> shift, v.y >> shift, v.z >> shift};
 }
 
-/// The range of a cell, relative to density_max, rounded outwards to halves.
+/// The range of a cell, relative to density_max, as in BrickEntry::y.
 std::uint32_t pack_range(float minimum, float maximum) {
-  const auto half = [](float value, bool up) {
-    std::uint32_t bits = glm::packHalf2x16(vec2(value, 0.0f)) & 0xFFFFu;
-    const float rounded = glm::unpackHalf2x16(bits).x;
-    if (up && rounded < value) ++bits;
-    if (!up && rounded > value) --bits;
-    return bits;
-  };
-  return half(minimum, false) | (half(maximum, true) << 16);
+  std::uint32_t bits = glm::packHalf2x16(vec2(maximum, 0.0f));
+  if (glm::unpackHalf2x16(bits).x < maximum) ++bits;
+  const float rounded = glm::unpackHalf2x16(bits).x;
+  const float share = rounded > 0.0f ? std::floor(255.0f * minimum / rounded) : 0.0f;
+  return bits << 16 | static_cast<std::uint32_t>(std::clamp(share, 0.0f, 255.0f)) << 8;
+}
+
+/// The bits of BrickEntry::y that tell which octants of a brick's cells hold anything.
+std::uint32_t occupied_octants(const std::uint16_t* voxels) {
+  std::uint32_t octants = 0;
+  for (int octant = 0; octant < 8; ++octant) {
+    const ivec3 corner = ivec3(octant & 1, (octant >> 1) & 1, octant >> 2) * 4;
+    bool holds = false;
+    for (int z = 0; z <= 4; ++z)
+      for (int y = 0; y <= 4; ++y)
+        for (int x = 0; x <= 4; ++x)
+          holds =
+              holds ||
+              voxels[((corner.z + z) * BrickVolume::brick_stride + corner.y + y) * BrickVolume::brick_stride +
+                     corner.x + x] != 0;
+    octants |= std::uint32_t(holds) << octant;
+  }
+  return octants;
 }
 
 /// Fills the empty entries of a box of cells with their Chebyshev distance to the nearest occupied one (or to
@@ -227,6 +242,7 @@ BrickVolume BrickVolumeBuilder::build(const dmat4& medium_from_index) {
     std::uint16_t* stored = volume.density.data() + b * BrickVolume::brick_voxels;
     for (int i = 0; i < BrickVolume::brick_voxels; ++i)
       stored[i] = static_cast<std::uint16_t>(std::min(values[i] / scale, 1.0f) * 65535.0f + 0.5f);
+    ranges[b] |= occupied_octants(stored);
     if (b < hot_bricks)
       for (int i = 0; i < BrickVolume::brick_voxels; ++i)
         volume.temperature[b * BrickVolume::brick_voxels + i] =
@@ -252,8 +268,12 @@ BrickVolume BrickVolumeBuilder::build(const dmat4& medium_from_index) {
   volume.root.assign(flat_index({0, 0, volume.root_dims.z}, volume.root_dims), BrickEntry(0u));
 
   const auto widen = [](BrickEntry& entry, std::uint32_t range) {
-    const vec2 a = glm::unpackHalf2x16(entry.y), b = glm::unpackHalf2x16(range);
-    entry.y = glm::packHalf2x16(vec2(std::min(a.x, b.x), std::max(a.y, b.y)));
+    const auto minimum = [](std::uint32_t r) {
+      return glm::unpackHalf2x16(r).y * float(r >> 8 & 255u) / 255.0f;
+    };
+    const auto maximum = [](std::uint32_t r) { return glm::unpackHalf2x16(r).y; };
+    entry.y =
+        pack_range(std::min(minimum(entry.y), minimum(range)), std::max(maximum(entry.y), maximum(range)));
   };
   for (std::size_t b = 0; b < bricks.size(); ++b) {
     std::size_t slot = flat_index(shift_right(bricks[b], 3 * volume.levels) - root_low, volume.root_dims);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/scene/frame.h"
+#include "core/scene/pixel_box.h"
 #include "core/scene/snapshot.h"
 
 namespace plinian {
@@ -17,6 +18,13 @@ struct FrameSums {
   std::vector<float> depth;               // [world] of the first pass, 1e30 where there is none
   std::vector<std::vector<vec3>> lights;  // [radiance]
 };
+
+/// Sets transmittance and depth (w) of `box` to a plane of it, row after row; outside, `passes` passes met
+/// nothing. `width` [pixels] is that of the picture.
+void set_media_plane(FrameSums& sums, int width, PixelBox box, const std::vector<vec4>& plane, int passes);
+
+/// Adds a plane of `box` alone, row after row, to a layer of pictures of `width` pixels; w is left out.
+void add_plane(std::vector<vec3>& layer, int width, PixelBox box, const std::vector<vec4>& plane);
 
 /// Adds further passes to what the first ones gathered; the depth stays that of the first.
 void add_passes(FrameSums& sums, const FrameSums& more);

@@ -24,13 +24,6 @@ struct EncodeControls {
   int refine_steps;
 };
 
-/// Length along a segment of linear extinction at which `tau` is gathered. sigma_a, sigma_b [1/world] at its
-/// ends, dt [world] its length; tau [-] at most the optical depth of the segment. Returns [world] in [0, dt].
-PLN_FN float length_to_optical_depth(float sigma_a, float sigma_b, float dt, float tau) {
-  float root = sqrt(max(sigma_a * sigma_a + 2.0f * (sigma_b - sigma_a) * tau / max(dt, 1e-30f), 0.0f));
-  return min(2.0f * tau / max(sigma_a + root, 1e-30f), dt);
-}
-
 struct LightBounds {
   float k_min;
   float k_max;

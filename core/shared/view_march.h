@@ -218,12 +218,8 @@ PLN_FN ViewResult march_view(PLN_SCENE, vec3 origin, vec3 direction, float t_nea
       // segment would be lost.
       full = tau + gain >= tau_target;
       float piece = rest;
-      bool cut = full;
-      while (cut) {
-        piece = length_to_optical_depth(guide_a, guide_b, rest, tau_target - tau);
-        gain = tau_target - tau;
-        cut = false;
-      }
+      piece = full ? length_to_optical_depth(guide_a, guide_b, rest, tau_target - tau) : piece;
+      gain = full ? tau_target - tau : gain;
       float matter_here = 0.0f;
       FOR_MEDIA matter_here += walk.a[m] + walk.b[m];
       if (matter_here > 0.0f) begin = min(begin, walk.t);
@@ -238,10 +234,8 @@ PLN_FN ViewResult march_view(PLN_SCENE, vec3 origin, vec3 direction, float t_nea
       }
       float share = rest > 0.0f ? piece / rest : 1.0f;
       bool here = tau <= tau_place && tau + gain > tau_place;
-      while (here) {
-        shading_t = walk.t + length_to_optical_depth(guide_a, guide_b, rest, tau_place - tau);
-        here = false;
-      }
+      shading_t =
+          here ? walk.t + length_to_optical_depth(guide_a, guide_b, rest, tau_place - tau) : shading_t;
       moment += gain * (walk.t + 0.5f * piece - begin);
       tau += gain;
       FOR_MEDIA {

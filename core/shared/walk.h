@@ -44,6 +44,8 @@ struct Walk {
   float shortest;  // [world] segments are not cut shorter
   float steep;     // [-] segments of more optical depth are; a march may raise it as its end draws near
   float comb;      // [t] the sampling point at or before t_b
+  float ahead;     // [t] density is known there, too, where this is beyond t_b
+  float density_ahead[MEDIA_CAPACITY];
 };
 
 PLN_FN vec3 local_point(MediumData medium, vec3 p) {
@@ -126,11 +128,10 @@ PLN_FN uvec2 find_cell(PLN_SCENE, int m, ivec3 cell, PLN_OUT(ivec3) corner, PLN_
   return entry;
 }
 
-/// Where a ray leaves the empty cell (and its empty neighbours) that `entry` describes [t].
-PLN_FN float leave_empty(LocalRay ray, uvec2 entry, ivec3 corner, int size) {
-  float reach = float(max(int(entry.x), 1) - 1);
-  vec3 middle = vec3(corner) + 0.5f * float(size);
-  float half_size = (reach + 0.5f) * float(size);
+/// Where a ray leaves an empty cell and the empty neighbours within `reach` cells of it [t].
+PLN_FN float leave_empty(LocalRay ray, float reach, vec3 corner, float size) {
+  vec3 middle = corner + 0.5f * size;
+  float half_size = (reach + 0.5f) * size;
   // The far planes, as the ray sees them.
   vec3 far = (middle - ray.origin) * ray.inverse + half_size * abs(ray.inverse);
   return min(far.x, min(far.y, far.z));
@@ -142,12 +143,21 @@ PLN_FN float probe(PLN_SCENE, int m, LocalRay ray, float t, PLN_INOUT(float) emp
   ivec3 corner;
   int size;
   uvec2 entry = find_cell(scene, m, ivec3(p), corner, size);
+  vec3 local = p - vec3(corner);
+  bool brick = entry.x >= 0x80000000u;
+  vec3 upper = vec3(greaterThanEqual(local, vec3(4.0f)));
+  bool occupied = brick && (entry.y >> uint(upper.x + 2.0f * upper.y + 4.0f * upper.z) & 1u) != 0u;
+  if (!occupied) {
+    // An octant of a brick, or a cell of the tree.
+    float reach = brick ? 0.0f : float(max(int(entry.x), 1) - 1);
+    empty_until = max(leave_empty(ray, reach, vec3(corner) + (brick ? 4.0f * upper : vec3(0.0f)),
+                                  brick ? 4.0f : float(size)),
+                      t);
+  }
   float density = 0.0f;
-  bool occupied = entry.x >= 0x80000000u;
-  if (!occupied) empty_until = max(leave_empty(ray, entry, corner, size), t);
   // A loop of one turn: llvmpipe would take both sides of an if.
   while (occupied) {
-    density = entry_scale(entry) * brick_density(scene, m, entry.x & 0x7fffffffu, p - vec3(corner));
+    density = entry_scale(entry) * brick_density(scene, m, entry.x & 0x7fffffffu, local);
     occupied = false;
   }
   return density;
@@ -174,6 +184,7 @@ PLN_FN Walk walk_begin(PLN_SCENE, vec3 origin, vec3 direction, float t_near, flo
     bool hit = walk.rays[m].t_leave > walk.rays[m].t_enter;
     walk.a[m] = 0.0f;
     walk.b[m] = 0.0f;
+    walk.density_ahead[m] = 0.0f;
     walk.empty_until[m] = hit ? walk.rays[m].t_enter : 1e30f;
     if (hit) {
       walk.t = min(walk.t, walk.rays[m].t_enter);
@@ -190,10 +201,11 @@ PLN_FN Walk walk_begin(PLN_SCENE, vec3 origin, vec3 direction, float t_near, flo
   per_step = min(per_step, max(walk.t_end - walk.t, 1e-18f));
   // Far from the camera a step must not drown in rounding: the slack of walk_advance stands well above it.
   walk.spacing = max(step * per_step, 2e-5f * walk.t_end);
-  walk.shortest = shortest_segment * per_step;
+  walk.shortest = max(shortest_segment * per_step, 5e-6f * walk.t_end);
   walk.steep = steep_segment;
   walk.t_b = walk.t;
   walk.comb = walk.t - lead * per_step;
+  walk.ahead = walk.t;
   return walk;
 }
 
@@ -228,29 +240,47 @@ PLN_FN float density_onset(LocalRay ray, float t, float t_b) {
   return max(t_b - min(behind.x, min(behind.y, behind.z)), t);
 }
 
+/// Length along a segment of linear extinction at which `tau` is gathered. sigma_a, sigma_b [1/world] at its
+/// ends, dt [world] its length; tau [-] at most the optical depth of the segment. Returns [world] in [0, dt].
+PLN_FN float length_to_optical_depth(float sigma_a, float sigma_b, float dt, float tau) {
+  float root = sqrt(max(sigma_a * sigma_a + 2.0f * (sigma_b - sigma_a) * tau / max(dt, 1e-30f), 0.0f));
+  return min(2.0f * tau / max(sigma_a + root, 1e-30f), dt);
+}
+
 /// Moves on to the next segment: over empty space at one leap, else to the next of the ray's sampling points,
-/// which lie evenly whatever was leapt over; less far where matter is dense.
+/// which lie evenly whatever was leapt over; less far where matter is dense. Density is looked up once at the
+/// most: where the segment turns out to be too opaque it is given no length, and the next one ends before the
+/// place that was looked at, which is kept. So no lookup is wasted, and no ray waits for another's.
 /// To be called while t_b < t_end.
 PLN_FN void walk_advance(PLN_SCENE, PLN_INOUT(Walk) walk) {
   float leap = walk.t_end;
   float sigma = 0.0f;
+  float sigma_ahead = 0.0f;
   FOR_MEDIA {
     walk.a[m] = walk.b[m];
     leap = min(leap, walk.empty_until[m]);
     sigma += walk.a[m] * MEDIUM(m).sigma_group;
+    sigma_ahead += walk.density_ahead[m] * MEDIUM(m).sigma_group;
   }
   walk.t = walk.t_b;
-  bool leaps = leap > walk.t;
-  while (leaps) {
-    walk.t = max(walk.t, walk.comb + floor((leap - walk.comb) / walk.spacing) * walk.spacing);
-    walk.comb += floor((walk.t - walk.comb) / walk.spacing) * walk.spacing;
-    leaps = false;
-  }
+  float rest = walk.ahead - walk.t;
+  bool known = rest > 0.0f;
+  // With some slack: rounding must not decide over segments of the shortest length.
+  float divisible = 1.05f * walk.shortest;
+  bool steep = known && (sigma + sigma_ahead) * rest > 2.0f * walk.steep && rest > divisible;
+  // To the last sampling point before matter may begin.
+  float per_spacing = 1.0f / walk.spacing;
+  float landing = walk.comb + floor((leap - walk.comb) * per_spacing) * walk.spacing;
+  walk.t = !known && leap > walk.t ? max(walk.t, landing) : walk.t;
+  walk.comb += floor((walk.t - walk.comb) * per_spacing) * walk.spacing;
   walk.comb += walk.t > walk.comb + 0.98f * walk.spacing ? walk.spacing : 0.0f;
   // Inside dense matter a segment is short from the start.
-  walk.t_b =
+  float length_ahead = min(
+      max(length_to_optical_depth(sigma, sigma_ahead, rest, 0.7f * walk.steep), walk.shortest), 0.75f * rest);
+  float new_end =
       min(min(walk.comb + walk.spacing, walk.t + max(1.5f * walk.steep / max(sigma, 1e-20f), walk.shortest)),
           walk.t_end);
+  walk.t_b = steep ? walk.t + length_ahead : known ? walk.ahead : new_end;
   if (ANALYTIC_MEDIA || SEVERAL_MEDIA) {
     // A segment ends where a medium begins or ends.
     FOR_MEDIA {
@@ -258,7 +288,12 @@ PLN_FN void walk_advance(PLN_SCENE, PLN_INOUT(Walk) walk) {
       if (walk.rays[m].t_leave > walk.t) walk.t_b = min(walk.t_b, walk.rays[m].t_leave);
     }
   }
-  walk_segment_end(scene, walk);
+  FOR_MEDIA walk.b[m] = walk.density_ahead[m];
+  bool looks = !known || steep;
+  while (looks) {
+    walk_segment_end(scene, walk);
+    looks = false;
+  }
   bool empty_before = true;
   float sigma_b = 0.0f;
   FOR_MEDIA {
@@ -266,25 +301,24 @@ PLN_FN void walk_advance(PLN_SCENE, PLN_INOUT(Walk) walk) {
     empty_before = empty_before && walk.a[m] == 0.0f;
   }
   float dt = walk.t_b - walk.t;
-  bool steep = (sigma + sigma_b) * dt > 2.0f * walk.steep && dt > walk.shortest;
-  while (steep) {
-    dt *= 0.5f;
-    walk.t_b = walk.t + dt;
-    walk_segment_end(scene, walk);
-    sigma_b = 0.0f;
-    FOR_MEDIA sigma_b += walk.b[m] * MEDIUM(m).sigma_group;
-    steep = (sigma + sigma_b) * dt > 2.0f * walk.steep && dt > walk.shortest;
+  bool refused = (sigma + sigma_b) * dt > 2.0f * walk.steep && dt > divisible;
+  if (refused) {
+    walk.ahead = walk.t_b;
+    walk.t_b = walk.t;
   }
-  bool begins = empty_before && sigma_b > 0.0f;
-  while (begins) {
-    float onset = walk.t_b;
-    FOR_MEDIA {
-      if (MEDIUM(m).shape == shape_voxels && walk.b[m] > 0.0f)
-        onset = min(onset, density_onset(walk.rays[m], walk.t, walk.t_b));
+  FOR_MEDIA {
+    if (refused) {
+      walk.density_ahead[m] = walk.b[m];
+      walk.b[m] = walk.a[m];
     }
-    walk.t = onset < walk.t_b ? onset : walk.t;
-    begins = false;
   }
+  bool begins = !refused && empty_before && sigma_b > 0.0f;
+  float onset = walk.t_b;
+  FOR_MEDIA {
+    float here = density_onset(walk.rays[m], walk.t, walk.t_b);
+    onset = MEDIUM(m).shape == shape_voxels && walk.b[m] > 0.0f ? min(onset, here) : onset;
+  }
+  walk.t = begins && onset < walk.t_b ? onset : walk.t;
 }
 
 PLN_END

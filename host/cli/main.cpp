@@ -1,5 +1,6 @@
 // The plinian program: finds the command, runs it, and tells every error in one line.
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include <CLI/CLI.hpp>
 #include <exception>
@@ -164,6 +165,10 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace plinian;
+  // The planes of a picture come and go with every frame: giving their memory back to the system each time,
+  // and having it cleared again, took 10 of the 136 ms of a frame.
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  mallopt(M_TRIM_THRESHOLD, 128 << 20);
   try {
     return cli::run(argc, argv);
   } catch (const RenderCancelled&) {

@@ -55,6 +55,22 @@ Texture make_texture_array(unsigned format, ivec3 size_and_layers) {
   return make_texture(GL_TEXTURE_2D_ARRAY, format, size_and_layers, false);
 }
 
+TexelBuffer make_texel_buffer(unsigned format, std::size_t texels, std::size_t bytes_per_texel,
+                              const void* data) {
+  GLint limit = 65536;
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limit);
+  if (texels > std::size_t(limit))
+    throw std::runtime_error("a buffer of " + std::to_string(texels) + " texels is more than this GPU's " +
+                             std::to_string(limit));
+  TexelBuffer made;
+  made.buffer = make_buffer(texels * bytes_per_texel, data);
+  Name name = 0;
+  glCreateTextures(GL_TEXTURE_BUFFER, 1, &name);
+  made.texture = Texture(name);
+  glTextureBuffer(name, format, made.buffer.name());
+  return made;
+}
+
 void check_errors(const char* where) {
   std::string errors;
   while (const GLenum error = glGetError()) {

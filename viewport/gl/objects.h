@@ -45,6 +45,17 @@ void update_buffer(const Buffer& buffer, std::size_t bytes, const void* data);
 Texture make_texture_3d(unsigned format, ivec3 size, bool linear);
 Texture make_texture_array(unsigned format, ivec3 size_and_layers);
 
+/// A buffer that shaders read as a texture or write as an image: a row of texels without filtering. What
+/// llvmpipe fetches from it costs a third of a texture's texels, which it asks for their level one by one.
+struct TexelBuffer {
+  Buffer buffer;
+  Texture texture;
+};
+/// `format` is a sized internal format; data may be null. Throws std::runtime_error where the GPU's limit is
+/// lower.
+TexelBuffer make_texel_buffer(unsigned format, std::size_t texels, std::size_t bytes_per_texel,
+                              const void* data);
+
 /// Throws std::runtime_error with what GL reports, if anything.
 void check_errors(const char* where);
 

@@ -15,7 +15,7 @@ constexpr int group_size = 16, tile_size = 256;
 
 }  // namespace
 
-bool MapPass::build(const SceneBlocks& blocks, const FlatScene& scene, int map, const gl::Texture& texels,
+bool MapPass::build(const SceneBlocks& blocks, const FlatScene& scene, int map, const gl::TexelBuffer& texels,
                     const std::function<bool()>& go_on) {
   gl::Program& program = programs_[blocks.defines()];
   if (!program) program = gl::make_compute_program("viewport/passes/map_pass.comp", blocks.defines());
@@ -26,7 +26,7 @@ bool MapPass::build(const SceneBlocks& blocks, const FlatScene& scene, int map, 
   gl::update_buffer(controls_, sizeof block, &block);
   blocks.bind(0);
   glBindBufferBase(GL_UNIFORM_BUFFER, 3, controls_.name());
-  glBindImageTexture(0, texels.name(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA32UI);
+  glBindImageTexture(0, texels.texture.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32UI);
   glUseProgram(program.name());
   glProgramUniform1i(program.name(), 0, map);
   const int size = scene.layout.resolution;

@@ -14,7 +14,7 @@ class MapPass {
  public:
   /// Builds map number `map` of the scene that `blocks` holds into its layer of `texels`, in tiles short
   /// enough for a GPU's watchdog. `go_on` is asked between tiles; returns false where it said no.
-  bool build(const SceneBlocks& blocks, const FlatScene& scene, int map, const gl::Texture& texels,
+  bool build(const SceneBlocks& blocks, const FlatScene& scene, int map, const gl::TexelBuffer& texels,
              const std::function<bool()>& go_on);
 
  private:

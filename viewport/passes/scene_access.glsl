@@ -1,5 +1,5 @@
 // What core/shared/scene_access.h is in C++: the scene as uniform blocks and textures.
-// Defines expected: MEDIA_COUNT, LIGHT_COUNT, GROUP_COUNT, MAP_RESOLUTION, MAP_COEFFICIENTS, MAP_WEIGHTING,
+// Defines expected: MEDIA_COUNT, LIGHT_COUNT, MAP_COUNT, GROUP_COUNT, MAP_RESOLUTION, MAP_COEFFICIENTS, MAP_WEIGHTING,
 // GREY_EXTINCTION, ANALYTIC_MEDIA, EMISSIVE_MEDIA, SEVERAL_MEDIA, DEEP_TREES, LIGHT_MARCH,
 // LIGHT_MARCH_STEP, LIGHT_MARCH_DEPTH.
 #include "core/shared/blackbody_lookup.h"
@@ -13,17 +13,34 @@ layout(std140, binding = 0) uniform MediaBlock { MediumData u_media[max_media]; 
 layout(std140, binding = 1) uniform LightBlock { LightData u_lights[max_lights]; };
 layout(std140, binding = 2) uniform MapBlock { MapData u_maps[max_maps]; };
 
-layout(binding = 0) uniform usampler2DArray u_map_texels;
+layout(binding = 0) uniform usamplerBuffer u_map_texels;
 layout(binding = 1) uniform sampler3D u_blackbody;
-layout(binding = 2) uniform usampler3D u_root[MEDIA_COUNT];
-layout(binding = 2 + MEDIA_COUNT) uniform usampler3D u_nodes[MEDIA_COUNT];
+layout(binding = 2) uniform usamplerBuffer u_root[MEDIA_COUNT];
+layout(binding = 2 + MEDIA_COUNT) uniform usamplerBuffer u_nodes[MEDIA_COUNT];
 layout(binding = 2 + 2 * MEDIA_COUNT) uniform sampler3D u_density[MEDIA_COUNT];
 layout(binding = 2 + 3 * MEDIA_COUNT) uniform sampler3D u_temperature[MEDIA_COUNT];
 
+// What there is one of is copied once: llvmpipe reads a uniform for each lane alone wherever it is named, in the
+// innermost loop too.
 #define PLN_SCENE int scene
+#if MEDIA_COUNT == 1
+MediumData the_medium = u_media[0];
+#define MEDIUM(m) the_medium
+#else
 #define MEDIUM(m) u_media[m]
+#endif
+#if LIGHT_COUNT == 1
+LightData the_light = u_lights[0];
+#define LIGHT(l) the_light
+#else
 #define LIGHT(l) u_lights[l]
+#endif
+#if MAP_COUNT == 1
+MapData the_map = u_maps[0];
+#define MAP(i) the_map
+#else
 #define MAP(i) u_maps[i]
+#endif
 
 // Loops over one thing are no loops: llvmpipe keeps what they index in memory instead of registers.
 #if MEDIA_COUNT == 1
@@ -61,20 +78,21 @@ vec3 spectrum_of(vec3 rgb) { return rgb; }
 bvec3 spectrum_less(vec3 s, float limit) { return lessThan(s, vec3(limit)); }
 #endif
 
-float sigma_guide(int scene, int m) { return spectrum_mean(spectrum_of(u_media[m].sigma_t)); }
+float sigma_guide(int scene, int m) { return spectrum_mean(spectrum_of(MEDIUM(m).sigma_t)); }
 
 // OF_MEDIUM(fetch) is `m == 0 ? fetch(0) : ...` (see scene_blocks.cpp): samplers are named by constants, because an
 // index that varies must be the same for all invocations, and makes llvmpipe mix up every sampler of the program.
+// A cell outside the root would be another's: the box of a medium's rays ends before (see local_ray()).
 uvec2 root_entry(int scene, int m, ivec3 cell) {
-#define FETCH(i) texelFetch(u_root[i], cell, 0).xy
+  int place = (cell.z * MEDIUM(m).root_dims.y + cell.y) * MEDIUM(m).root_dims.x + cell.x;
+#define FETCH(i) texelFetch(u_root[i], place).xy
   return OF_MEDIUM(FETCH);
 #undef FETCH
 }
 
-// Nodes lie in a square of 16 x 16, layer upon layer (see volume_textures.cpp).
 uvec2 node_entry(int scene, int m, uint node, ivec3 child) {
-  ivec3 place = ivec3(int(node & 15u), int((node >> 4) & 15u), int(node >> 8)) * 8 + child;
-#define FETCH(i) texelFetch(u_nodes[i], place, 0).xy
+  int place = int(node) * 512 + (child.z * 8 + child.y) * 8 + child.x;
+#define FETCH(i) texelFetch(u_nodes[i], place).xy
   return OF_MEDIUM(FETCH);
 #undef FETCH
 }
@@ -85,11 +103,11 @@ vec3 brick_place(uint brick) {
   return vec3(ivec3(int(brick & 1023u), int((brick >> 10) & 1023u), int(brick >> 20)) * 9);
 }
 
-// Only the maximum is read here, so it travels as a float.
-float entry_scale(uvec2 entry) { return uintBitsToFloat(entry.y); }
+// The maximum travels as a float, whose low bits, zero in what was a half, hold the octants.
+float entry_scale(uvec2 entry) { return uintBitsToFloat(entry.y & 0xffffff00u); }
 
 float brick_density(int scene, int m, uint brick, vec3 local) {
-  vec3 place = (brick_place(brick) + local + 0.5) * u_media[m].atlas_scale;
+  vec3 place = (brick_place(brick) + local + 0.5) * MEDIUM(m).atlas_scale;
 #define FETCH(i) textureLod(u_density[i], place, 0.0).x
   return OF_MEDIUM(FETCH);
 #undef FETCH
@@ -97,8 +115,8 @@ float brick_density(int scene, int m, uint brick, vec3 local) {
 
 // Hot bricks come first; the layers behind them hold no temperature.
 float brick_temperature(int scene, int m, uint brick, vec3 local) {
-  if (int(brick >> 20) >= u_media[m].hot_layers) return 0.0;
-  vec3 hot_scale = vec3(u_media[m].atlas_scale.x, u_media[m].atlas_scale.y, 1.0 / float(9 * u_media[m].hot_layers));
+  if (int(brick >> 20) >= MEDIUM(m).hot_layers) return 0.0;
+  vec3 hot_scale = vec3(MEDIUM(m).atlas_scale.x, MEDIUM(m).atlas_scale.y, 1.0 / float(9 * MEDIUM(m).hot_layers));
   vec3 place = (brick_place(brick) + local + 0.5) * hot_scale;
 #define FETCH(i) textureLod(u_temperature[i], place, 0.0).x
   return OF_MEDIUM(FETCH);
@@ -114,5 +132,5 @@ vec3 blackbody(int scene, float kelvin) {
 
 uvec4 map_texel(int scene, ivec2 texel, int layer, int word) {
   const int words = MAP_COEFFICIENTS > 6 ? (MAP_COEFFICIENTS > 14 ? 3 : 2) : 1;
-  return texelFetch(u_map_texels, ivec3(texel.x * words + word, texel.y, layer), 0);
+  return texelFetch(u_map_texels, ((layer * MAP_RESOLUTION + texel.y) * MAP_RESOLUTION + texel.x) * words + word);
 }

@@ -25,7 +25,7 @@ SceneBlocks::SceneBlocks()
       lights_(gl::make_buffer(sizeof(LightData) * max_lights, nullptr)),
       maps_(gl::make_buffer(sizeof(MapData) * max_maps, nullptr)),
       blackbody_(gl::make_texture_3d(GL_RGBA32F, {shared::blackbody_entries, 1, 1}, false)),
-      no_entries_(gl::make_texture_3d(GL_RG32UI, {1, 1, 1}, false)),
+      no_entries_(gl::make_texel_buffer(GL_RG32UI, 1, 8, nullptr)),
       no_values_(gl::make_texture_3d(GL_R16, {1, 1, 1}, true)) {
   glTextureSubImage3D(blackbody_.name(), 0, 0, 0, 0, shared::blackbody_entries, 1, 1, GL_RGBA, GL_FLOAT,
                       blackbody_table().data());
@@ -50,6 +50,7 @@ void SceneBlocks::update(const FlatScene& scene, const std::vector<const VolumeT
   defines_ = {{"MEDIA_COUNT", std::to_string(scene.media.size())},
               {"OF_MEDIUM(fetch)", choice_of_medium(scene.media.size())},
               {"LIGHT_COUNT", std::to_string(scene.lights.size())},
+              {"MAP_COUNT", std::to_string(scene.maps.size())},
               {"GROUP_COUNT", std::to_string(scene.group_count)},
               {"MAP_RESOLUTION", std::to_string(scene.layout.resolution)},
               {"MAP_COEFFICIENTS", std::to_string(scene.layout.coefficients)},
@@ -77,8 +78,8 @@ void SceneBlocks::bind(gl::Name maps) const {
     const auto name = [](const gl::Texture& texture, const gl::Texture& otherwise) {
       return texture ? texture.name() : otherwise.name();
     };
-    glBindTextureUnit(2 + m, v ? v->root.name() : no_entries_.name());
-    glBindTextureUnit(2 + count + m, v ? v->nodes.name() : no_entries_.name());
+    glBindTextureUnit(2 + m, v ? v->root.texture.name() : no_entries_.texture.name());
+    glBindTextureUnit(2 + count + m, v ? v->nodes.texture.name() : no_entries_.texture.name());
     glBindTextureUnit(2 + 2 * count + m, v ? v->density.name() : no_values_.name());
     glBindTextureUnit(2 + 3 * count + m, v ? name(v->temperature, no_values_) : no_values_.name());
   }

@@ -22,7 +22,8 @@ class SceneBlocks {
  private:
   gl::Buffer media_, lights_, maps_;
   gl::Texture blackbody_;
-  gl::Texture no_entries_, no_values_;  // stand in where a medium has no volume
+  gl::TexelBuffer no_entries_;  // these stand in where a medium has no volume
+  gl::Texture no_values_;
   std::vector<const VolumeTextures*> volumes_;
   gl::Defines defines_;
 };

@@ -14,6 +14,7 @@ layout(std140, binding = 3) uniform ViewBlock {
   vec4 u_up;
   vec4 u_controls;  // quantum, step [voxels], cutoff, 0
   ivec4 u_frame;    // width, height, number of this pass, 1 where it is the first in u_sums
+  ivec2 u_end;      // behind the last pixel to be rendered
 };
 layout(location = 0) uniform ivec2 u_first;  // pixel of the first invocation
 
@@ -31,7 +32,7 @@ void main() {
   int lane = int(gl_LocalInvocationIndex);
   ivec2 inside = ivec2((lane & 3) | ((lane >> 1) & 12), ((lane >> 2) & 1) | ((lane >> 4) & 14));
   ivec2 pixel = u_first + spread_group(gl_WorkGroupID.xy) * 16 + inside;
-  if (pixel.x >= u_frame.x || pixel.y >= u_frame.y) return;
+  if (pixel.x >= u_end.x || pixel.y >= u_end.y) return;
   vec3 direction = pixel_direction(u_forward.xyz, u_right.xyz, u_up.xyz, pixel, u_frame.xy);
   ViewControls controls = view_controls(pixel, u_frame.z, u_controls.x, u_controls.y, u_controls.z);
   ViewResult result = march_view(scene, u_origin.xyz, direction, u_origin.w, controls);

@@ -10,6 +10,7 @@ namespace {
 struct ViewBlock {
   vec4 origin, forward, right, up, controls;
   ivec4 frame;
+  ivec2 end;
 };
 constexpr int group_size = 16, tile_size = 256;
 
@@ -25,8 +26,8 @@ PlaneLayout plane_layout(const FlatScene& flat, const SceneSnapshot& scene) {
 }
 
 bool ViewPass::render(const SceneBlocks& blocks, const FlatScene& flat, const SceneSnapshot& scene,
-                      const gl::Texture& maps, int pass, bool first, const gl::Texture& sums,
-                      const std::function<bool()>& go_on) {
+                      const gl::TexelBuffer& maps, int pass, bool first, PixelBox box,
+                      const gl::Texture& sums, const std::function<bool()>& go_on) {
   gl::Defines defines = blocks.defines();
   const PlaneLayout layout = plane_layout(flat, scene);
   defines.insert(defines.end(), {{"PLANE_AMBIENT", std::to_string(layout.ambient)},
@@ -35,25 +36,27 @@ bool ViewPass::render(const SceneBlocks& blocks, const FlatScene& flat, const Sc
   gl::Program& program = programs_[defines];
   if (!program) program = gl::make_compute_program("viewport/passes/view.comp", defines);
   const CameraRays rays = camera_rays(scene.camera, scene.width, scene.height);
+  const ivec2 end = box.first + box.size;
   const ViewBlock block{vec4(rays.origin, scene.camera.near_clip),
                         vec4(rays.forward, 0.0f),
                         vec4(rays.right, 0.0f),
                         vec4(rays.up, 0.0f),
                         vec4(flat.view.quantum, flat.view.step, flat.view.cutoff, 0.0f),
-                        ivec4(scene.width, scene.height, pass, first)};
+                        ivec4(scene.width, scene.height, pass, first),
+                        end};
   if (!view_) view_ = gl::make_buffer(sizeof block, nullptr);
   gl::update_buffer(view_, sizeof block, &block);
-  blocks.bind(maps.name());
+  blocks.bind(maps.texture.name());
   glBindBufferBase(GL_UNIFORM_BUFFER, 3, view_.name());
   glBindImageTexture(0, sums.name(), 0, GL_TRUE, 0, GL_READ_WRITE, GL_RGBA32F);
   glUseProgram(program.name());
-  for (int y = 0; y < scene.height; y += tile_size)
-    for (int x = 0; x < scene.width; x += tile_size) {
+  for (int y = box.first.y; y < end.y; y += tile_size)
+    for (int x = box.first.x; x < end.x; x += tile_size) {
       if (go_on && !go_on()) return false;
       glProgramUniform2i(program.name(), 0, x, y);
-      // All rows of groups, as spread_group() in scene_access.glsl asks; those outside the picture end at
+      // All rows of groups, as spread_group() in scene_access.glsl asks; those outside the box end at
       // once.
-      const unsigned columns = unsigned(std::min(scene.width - x, tile_size) + group_size - 1) / group_size;
+      const unsigned columns = unsigned(std::min(end.x - x, tile_size) + group_size - 1) / group_size;
       glDispatchCompute(columns, tile_size / group_size, 1);
       if (go_on) glFinish();
     }

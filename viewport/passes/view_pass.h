@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/integrate/flat_scene.h"
+#include "core/scene/pixel_box.h"
 #include "core/scene/snapshot.h"
 #include "viewport/gl/shader.h"
 #include "viewport/passes/scene_blocks.h"
@@ -25,10 +26,10 @@ PlaneLayout plane_layout(const FlatScene& flat, const SceneSnapshot& scene);
 class ViewPass {
  public:
   /// Adds pass number `pass` to the planes of `sums` (RGBA32F, see plane_layout()), or writes them where it
-  /// is the `first` there. `go_on` is asked between tiles; returns false where it said no. maps may be empty
-  /// where light is marched.
+  /// is the `first` there, in the pixels of `box` and some beside it. `go_on` is asked between tiles; returns
+  /// false where it said no. maps may be empty where light is marched.
   bool render(const SceneBlocks& blocks, const FlatScene& flat, const SceneSnapshot& scene,
-              const gl::Texture& maps, int pass, bool first, const gl::Texture& sums,
+              const gl::TexelBuffer& maps, int pass, bool first, PixelBox box, const gl::Texture& sums,
               const std::function<bool()>& go_on);
 
  private:

@@ -35,25 +35,13 @@ BrickEntry placed(BrickEntry entry, ivec3 atlas) {
   const std::uint32_t brick = entry.x & ~BrickVolume::occupied_bit;
   const std::uint32_t x = brick % atlas.x, y = brick / atlas.x % atlas.y, z = brick / (atlas.x * atlas.y);
   return {BrickVolume::occupied_bit | x | (y << 10) | (z << 20),
-          glm::floatBitsToUint(glm::unpackHalf2x16(entry.y).y)};
+          glm::floatBitsToUint(glm::unpackHalf2x16(entry.y).y) | (entry.y & 0xFFu)};
 }
 
-gl::Texture upload_entries(const std::vector<BrickEntry>& entries, ivec3 dims) {
-  gl::Texture texture = gl::make_texture_3d(GL_RG32UI, dims, false);
-  glTextureSubImage3D(texture.name(), 0, 0, 0, 0, dims.x, dims.y, dims.z, GL_RG_INTEGER, GL_UNSIGNED_INT,
-                      entries.data());
-  return texture;
-}
-
-/// 512 entries per node, from one behind the other to 16 x 16 side by side.
-gl::Texture upload_nodes(const std::vector<BrickEntry>& nodes) {
-  const int count = std::max<int>(1, int(nodes.size() / 512));
-  const ivec3 dims = ivec3(std::min(count, 16), std::min((count + 15) / 16, 16), (count + 255) / 256) * 8;
-  gl::Texture texture = gl::make_texture_3d(GL_RG32UI, dims, false);
-  for (int node = 0; node < int(nodes.size() / 512); ++node)
-    glTextureSubImage3D(texture.name(), 0, (node & 15) * 8, ((node >> 4) & 15) * 8, (node >> 8) * 8, 8, 8, 8,
-                        GL_RG_INTEGER, GL_UNSIGNED_INT, nodes.data() + std::size_t(node) * 512);
-  return texture;
+gl::TexelBuffer upload_entries(const std::vector<BrickEntry>& entries) {
+  const BrickEntry none(0u);
+  return gl::make_texel_buffer(GL_RG32UI, std::max<std::size_t>(entries.size(), 1), sizeof(BrickEntry),
+                               entries.empty() ? &none : entries.data());
 }
 
 /// Bricks into the atlas, one layer of them after the other through a small staging copy.
@@ -88,7 +76,7 @@ VolumeTextures upload_volume(const BrickVolume& volume) {
   glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &limit);
   VolumeTextures textures;
   const ivec3 atlas = choose_atlas(volume.brick_count(), std::min(limit / stride, 1023));
-  if (atlas.z == 0 || volume.nodes.size() / 512 > std::size_t(limit) / 8 * 256)
+  if (atlas.z == 0)
     throw std::runtime_error("the volume has " + std::to_string(volume.brick_count()) +
                              " bricks, more than this GPU's 3D textures hold; render it with --renderer cpu");
   textures.atlas_bricks = atlas;
@@ -115,8 +103,8 @@ VolumeTextures upload_volume(const BrickVolume& volume) {
         entry = placed(entry, atlas);
       }
   }
-  textures.root = upload_entries(root, volume.root_dims);
-  textures.nodes = upload_nodes(nodes);
+  textures.root = upload_entries(root);
+  textures.nodes = upload_entries(nodes);
   textures.density = upload_bricks(volume.density, atlas);
   const std::size_t layer = std::size_t(atlas.x) * atlas.y;
   textures.hot_layers = int((volume.hot_brick_count() + layer - 1) / layer);

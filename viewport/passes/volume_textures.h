@@ -7,8 +7,8 @@
 namespace plinian::passes {
 
 struct VolumeTextures {
-  gl::Texture root;         // RG32UI; bricks are named by their place in the atlas
-  gl::Texture nodes;        // RG32UI, 16 x 16 nodes a layer
+  gl::TexelBuffer root;     // RG32UI, x fastest; bricks are named by their place in the atlas
+  gl::TexelBuffer nodes;    // RG32UI, 512 entries a node
   gl::Texture density;      // R16, filtered
   gl::Texture temperature;  // R16, filtered; only as many layers as hot bricks need
   ivec3 atlas_bricks{0};    // [bricks]

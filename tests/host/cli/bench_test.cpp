@@ -22,7 +22,7 @@ TEST_F(Program, BenchTimesEveryEditOfTheCpuRenderer) {
 
 TEST_F(Program, BenchTellsHowTheErrorChangesFromFrameToFrame) {
   const Ended ended =
-      run({"bench", "ash", "--resolution", "24", "--size", "24x24", "--renderer", "cpu", "--json", "--preset",
+      run({"bench", "ash", "--resolution", "32", "--size", "32x32", "--renderer", "cpu", "--json", "--preset",
            "fast", "--preset", "high", "--swim", "3", "--set", "map.resolution=128"});
   ASSERT_EQ(ended.code, 0) << ended.err;
   const json report = json::parse(ended.out);
