@@ -43,6 +43,7 @@ int run_run(const RunArguments& arguments) {
   scene::Workspace workspace;
   graph::Session& session = workspace.session();
   session.on_warning = [](const std::string& line) { warn(line); };
+  session.on_note = [](const std::string& line) { note(line); };
   add_render_command(workspace);
   if (!arguments.scenes.empty()) session.open_scene(arguments.scenes.front());
   if (arguments.echo) session.on_echo = [](const std::string& line) { print("> " + line + "\n"); };

@@ -14,8 +14,7 @@ graph::CommandResult import_input(graph::Session& session, const graph::Argument
   options.name_space = arguments.text("namespace");
   options.media_only = volume;
   const ImportReport report = import_description(session, description, options);
-  // A command answers with names alone; what was assumed is said where warnings are.
-  for (const std::string& line : report.notes) session.warn(line);
+  for (const std::string& line : report.notes) session.note(line);
   for (const std::string& line : report.warnings) session.warn(line);
   return report.nodes;
 }

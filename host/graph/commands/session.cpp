@@ -25,6 +25,10 @@ void Session::tell(SceneMoment moment, const std::string& path) {
   for (SessionListener* listener : std::vector<SessionListener*>(listeners_)) listener->passed(moment, path);
 }
 
+void Session::note(const std::string& line) const {
+  if (on_note) on_note(line);
+}
+
 void Session::warn(const std::string& line) const {
   if (on_warning) on_warning(line);
 }

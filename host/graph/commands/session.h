@@ -47,9 +47,11 @@ class Session {
   CommandResult execute(const CommandSpec& spec, const Arguments& arguments,
                         const std::string& merge_key = "");
 
-  /// Hears of every command that ran, as the line that would run it again, and of warnings.
-  std::function<void(const std::string&line)> on_echo, on_warning;
+  /// Hears of every command that ran, as the line that would run it again, of warnings, and of what was
+  /// assumed.
+  std::function<void(const std::string&line)> on_echo, on_warning, on_note;
   void warn(const std::string& line) const;
+  void note(const std::string& line) const;
   void add_listener(SessionListener* listener) { listeners_.push_back(listener); }
   void remove_listener(SessionListener* listener) { std::erase(listeners_, listener); }
   /// Is told of each plug-in that a scene needs before the scene is opened, and may load it.

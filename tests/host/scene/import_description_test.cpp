@@ -202,5 +202,31 @@ TEST(ImportDescription, BadInputIsRefusedBeforeAnythingIsMade) {
                SceneLoadCancelled);
 }
 
+TEST(ImportCommand, AVolumeComesAloneAndANeutralSceneWithAllItHas) {
+  TemporaryFolder folder;
+  BrickVolumeBuilder builder;
+  const std::vector<float> voxels(BrickVolumeBuilder::block_voxels, 1.0f);
+  builder.add({0, 0, 0}, voxels.data());
+  write_vdb(folder / "a.vdb", builder.build(dmat4(1.0)));
+  folder.write("s.json", R"({"volume": "a.vdb", "lights": [{"toward": [0, 1, 0], "intensity": 2}]})");
+  TestWorkspace w;
+  std::vector<std::string> notes;
+  w.session().on_note = [&](const std::string& line) { notes.push_back(line); };
+  EXPECT_EQ(w.run("import " + folder / "a.vdb"), "medium_place\nmedium\nmedium_file\nmedium_shape");
+  EXPECT_EQ(notes.size(), 2u) << "orientation and density scale";
+  EXPECT_EQ(w.run("ls -type camera"), "");
+  EXPECT_EQ(w.run("import " + folder / "a.vdb" + " -namespace second\nls second:*"),
+            "second:medium_place\nsecond:medium\nsecond:medium_file\nsecond:medium_shape\n"
+            "second:medium_place\nsecond:medium\nsecond:medium_file\nsecond:medium_shape");
+  w.run("import " + folder / "s.json");
+  const SceneSnapshot s = w.snapshot();
+  EXPECT_EQ(s.media.size(), 3u);
+  EXPECT_EQ(s.lights.size(), 1u);
+  EXPECT_EQ(s.media[0].volume, s.media[1].volume) << "the same file is one volume";
+  // One step of undo each.
+  w.run("undo 3");
+  EXPECT_EQ(w.run("ls"), "time1");
+}
+
 }  // namespace
 }  // namespace plinian::scene
