@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -186,11 +187,24 @@ void set_scene_value(SceneDescription& scene, const std::string& name, const std
                      const std::string& start) {
   const std::string where = start.empty() ? "--set " + name : start;
   const json parsed = json_from_text(value);
+  // Where a key is known elsewhere: "camera.azimuth" for azimuth, "key.exposure" for lights.key.exposure.
+  const auto elsewhere = [&](const std::string& key) -> std::string {
+    const auto meant = [](const std::string& name) { return " (did you mean '" + name + "'?)"; };
+    const auto names = scene_object_names(scene);
+    const auto inner = key.find('.');
+    if (inner != std::string::npos && std::ranges::count(names, key.substr(0, inner))) return meant(key);
+    if (find_parameter(camera_parameters(), key)) return meant("camera." + key);
+    if (find_parameter(medium_parameters(), key)) return meant("medium." + key);
+    if (find_parameter(light_parameters(), key)) return meant("lights." + key);
+    return "";
+  };
   const auto apply = [&](const auto& table, const std::string& key, auto& object) {
     const auto* parameter = find_parameter(table, key);
     if (!parameter)
-      throw std::runtime_error(where + ": unknown key" + did_you_mean(key, parameter_names(table)) +
-                               "; there are: " + join(parameter_names(table)));
+      throw std::runtime_error(
+          where + ": unknown key" +
+          (elsewhere(key).empty() ? did_you_mean(key, parameter_names(table)) : elsewhere(key)) +
+          "; there are: " + join(parameter_names(table)));
     // A text may look like a number or a list: --set medium.grid=2.
     const json& given = parameter->spec.type == ParameterType::text ? json(value) : parsed;
     set_parameter(table, *parameter, object, read_parameter(parameter->spec, given, where));

@@ -53,13 +53,23 @@ Camera make_camera(const SceneDescription& scene, const SceneBounds& bounds, con
     camera.world_from_camera = rotation_xyz(d.rotate.value_or(dvec3(0.0)));
     camera.world_from_camera[3] = dvec4(d.translate.value_or(dvec3(0.0)), 1.0);
   } else {
-    if (d.target) throw std::runtime_error(where(scene, "camera", "target") + ": needs an eye");
+    if (d.target)
+      throw std::runtime_error(
+          where(scene, "camera", "target") +
+          ": needs camera.eye, where it looks from; without both the camera is placed to "
+          "show everything, from camera.azimuth and camera.elevation");
     const double azimuth = d.azimuth.value_or(float(default_azimuth));
     const double elevation = d.elevation ? double(*d.elevation) : default_elevation(bounds);
     camera = frame_bounds(camera, bounds, azimuth, elevation, size.x, size.y);
+    const dvec3 extent = bounds.maximum - bounds.minimum;
+    // What is nothing beside the extent is written as nothing.
+    const dvec3 centre =
+        glm::floor(bounds.centre() / bounds.radius() * 1e4 + 0.5) * 1e-4 * bounds.radius() + 0.0;
     told.notes.push_back(
-        fmt::format("camera: placed to show everything, azimuth {:.0f}, elevation {:.0f}, {:.3g} m away",
-                    azimuth, elevation, length(dvec3(camera.world_from_camera[3]) - bounds.centre())));
+        fmt::format("camera: placed to show everything, azimuth {:.0f}, elevation {:.0f}, {:.3g} m away from "
+                    "media of {:.3g} x {:.3g} x {:.3g} m around ({:.3g}, {:.3g}, {:.3g})",
+                    azimuth, elevation, length(dvec3(camera.world_from_camera[3]) - bounds.centre()),
+                    extent.x, extent.y, extent.z, centre.x, centre.y, centre.z));
   }
   return camera;
 }

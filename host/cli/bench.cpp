@@ -1,6 +1,7 @@
 // plinian bench: what maps, frames and edits cost on this machine. Everything is measured in turn within one
 // run, because absolute times move from run to run; medians, and ratios of what was measured side by side.
 #include <fmt/format.h>
+#include <sys/wait.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -212,8 +213,9 @@ class Bench {
     const int status = std::system(("(" + arguments_.against + ") >/dev/null 2>&1").c_str());
     against_ms_.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
     if (status != 0)
-      throw std::runtime_error(
-          fmt::format("--against: '{}' failed with status {}", arguments_.against, status));
+      throw std::runtime_error(fmt::format("--against: '{}' ended with {} {}", arguments_.against,
+                                           WIFEXITED(status) ? "exit code" : "signal",
+                                           WIFEXITED(status) ? WEXITSTATUS(status) : WTERMSIG(status)));
   }
 
   // Medians over the runs of the ratio within each run.

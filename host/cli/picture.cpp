@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 
@@ -33,6 +34,26 @@ std::vector<std::pair<std::string, double>> times_of(const Picture& picture) {
           {"map", picture.stats.map_ms},
           {"view", picture.stats.view_ms},
           {"render", picture.render_ms}};
+}
+
+// Why a picture shows nothing, in a line that says what would help; empty where it shows something.
+std::string why_empty(const Frame& frame, const SceneSnapshot& snapshot) {
+  if (snapshot.media.empty()) return "there is no medium in the scene";
+  const auto any = [](const std::vector<vec3>& layer, auto test) {
+    return std::any_of(layer.begin(), layer.end(), test);
+  };
+  const auto shines = [](vec3 v) { return v.x > 0.0f || v.y > 0.0f || v.z > 0.0f; };
+  if (!any(frame.transmittance, [](vec3 t) { return t.x + t.y + t.z < 2.997f; }))
+    return "no medium is in view: without camera.eye, camera.translate and camera.rotate the camera shows "
+           "everything";
+  const bool lit = any(frame.ambient, shines) || any(frame.emission, shines) ||
+                   std::any_of(frame.lights.begin(), frame.lights.end(),
+                               [&](const LightLayer& light) { return any(light.radiance, shines); });
+  if (lit) return "";
+  return snapshot.lights.empty()
+             ? "nothing lights the medium: a scene without \"lights\" gets a key and a rim, an empty list "
+               "none"
+             : "no light reaches what is in view: see the exposure, falloff and place of the lights";
 }
 
 }  // namespace
@@ -76,6 +97,8 @@ Picture make_picture(NamedRenderer& chosen, const SceneSnapshot& snapshot, const
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   picture.stats = chosen.renderer->stats();
   picture.cut_short = interrupted() && in_passes && picture.stats.passes < passes.most;
+  const std::string nothing = why_empty(frame, snapshot);
+  if (!nothing.empty()) picture.stats.warnings.push_back("the picture is empty: " + nothing);
   for (const std::string& warning : picture.stats.warnings) warn(warning);
 
   // What the renderer holds is not needed beside the picture's channels and their encoding.
