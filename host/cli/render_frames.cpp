@@ -84,6 +84,8 @@ int run_frames(const RenderArguments& arguments, const std::string& command_line
   for (const FramePattern& pattern : patterns) check_output(pattern.path(range.first), writing);
 
   PreparedScene scene = prepare_scene(arguments.scene);
+  // Nobody scrubs back: frames that are done need not stay in memory.
+  scene.workspace->session().evaluator().cache().set_budget(std::size_t(256) << 20);
   NamedRenderer chosen = choose_renderer(arguments.renderer, {.reference_tolerance = arguments.tolerance});
   nlohmann::ordered_json frames = nlohmann::ordered_json::array();
   int made = 0, left = 0;

@@ -1,6 +1,7 @@
 // volumeNoise and volumeRead: what they hand on, what they share, and what they compute again.
 #include <fstream>
 
+#include "core/image/image_io.h"
 #include "core/media/procedural.h"
 #include "tests/host/nodes/node_session.h"
 
@@ -161,6 +162,26 @@ TEST(VolumeReadNode, TurnsTheFilesSpaceAsItSaysUnlessTold) {
   EXPECT_EQ(s.run("getAttr r.space"), "0.01 0 0 0 0 0 -0.01 0 0 0.01 0 0 0 0 0 1");
   s.run("setAttr r.up_axis y\nsetAttr r.file_unit 2");
   EXPECT_EQ(s.run("getAttr r.space"), "2 0 0 0 0 2 0 0 0 0 2 0 0 0 0 1");
+}
+
+TEST(ReferenceImageNode, ReadsThePictureOfTheFrame) {
+  TemporaryFolder folder;
+  for (const int frame : {1, 2})
+    write_image(folder / ("plate.0" + std::to_string(frame) + ".exr"), make_image(8 * frame, 4, vec3(0.5f)));
+  NodeSession s;
+  s.run("createNode referenceImage -name p\nconnectAttr time1.out p.time\nsetAttr p.file " +
+        folder / "plate.##.exr");
+  const auto width = [&](int frame) {
+    s.run("currentTime " + std::to_string(frame));
+    const graph::ResultPtr result = s.evaluator().evaluate(s.graph().plug("p.image"));
+    return result->error
+               ? 0
+               : static_cast<const Image*>(std::get<graph::DataPtr>(result->value)->object.get())->width;
+  };
+  EXPECT_EQ(width(1), 8);
+  EXPECT_EQ(width(2), 16);
+  EXPECT_EQ(width(3), 0);
+  EXPECT_NE(s.refusal("evaluate p.image").find("plate.03.exr"), std::string::npos);
 }
 
 }  // namespace
