@@ -38,6 +38,13 @@ file(RENAME ${WORK}/tutorial_marker.so ${WORK}/tutorial/marker.so)
 file(RENAME ${WORK}/tutorial_marker_old.so ${WORK}/tutorial/marker_old.so)
 run(${CMAKE_COMMAND} -E env PLINIAN_TUTORIAL=${WORK}/tutorial ${BUILD}/tests/host/draw/draw_test --gtest_filter=*Tutorial*)
 
+# A shape of its own: it overlaps an atfmVolume, and each shadows the other.
+run(${CMAKE_COMMAND} -S ${SOURCE}/tests/install/puff -B ${WORK}/puff -G Ninja -DCMAKE_BUILD_TYPE=Release
+    -DCMAKE_PREFIX_PATH=${WORK}/prefix)
+run(${CMAKE_COMMAND} --build ${WORK}/puff)
+run(${CMAKE_COMMAND} -E env PLINIAN_SECOND_SHAPE=${WORK}/puff ${BUILD}/tests/host/scene/host_scene_test
+    --gtest_filter=SecondShape.*)
+
 set(program ${WORK}/prefix/bin/plinian)
 run(${program} --version)
 run(${program} make ash --resolution 16 -o ${WORK}/ash.vdb)
