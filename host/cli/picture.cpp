@@ -39,6 +39,10 @@ std::vector<std::pair<std::string, double>> times_of(const Picture& picture) {
 // Why a picture shows nothing, in a line that says what would help; empty where it shows something.
 std::string why_empty(const Frame& frame, const SceneSnapshot& snapshot) {
   if (snapshot.media.empty()) return "there is no medium in the scene";
+  if (std::all_of(snapshot.media.begin(), snapshot.media.end(), [](const Medium& medium) {
+        return medium.shape == MediumShape::voxels && (!medium.volume || medium.volume->empty());
+      }))
+    return "there is no density in the media at this frame";
   const auto any = [](const std::vector<vec3>& layer, auto test) {
     return std::any_of(layer.begin(), layer.end(), test);
   };

@@ -149,6 +149,8 @@ void apply_edit(scene::Workspace& workspace, const SceneEdit& edit) {
     return scene::write_quality(session, workspace.view().quality, quality);
   }
   const graph::Plug plug = plug_of(session.graph(), edit);
+  // A look is put on as a whole: its name alone would change nothing.
+  const bool look = edit.key.ends_with(".look");
   const graph::AttributeType type = session.graph().attribute(plug).spec.type;
   std::string words = edit.value;
   if (type == graph::AttributeType::string || type == graph::AttributeType::path)
@@ -156,7 +158,8 @@ void apply_edit(scene::Workspace& workspace, const SceneEdit& edit) {
   else if (type != graph::AttributeType::ramp)
     std::replace(words.begin(), words.end(), ',', ' ');
   try {
-    session.execute("setAttr " + edit.key + " " + words);
+    session.execute(look ? "preset apply " + words + " " + edit.key.substr(0, edit.key.rfind('.'))
+                         : "setAttr " + edit.key + " " + words);
   } catch (const graph::GraphError& error) {
     throw std::runtime_error(edit.where + ": " + error.what());
   }
@@ -181,6 +184,8 @@ SceneSnapshot take_snapshot(PreparedScene& scene) {
 
 PreparedScene prepare_scene(const SceneArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
+  if (!arguments.save_as.empty() && !is_scene(arguments.save_as))
+    throw std::runtime_error(arguments.save_as + ": the name of a scene ends in .plinian");
   PreparedScene scene;
   scene.workspace = std::make_unique<scene::Workspace>();
   scene.workspace->session().on_warning = [](const std::string& line) { warn(line); };
@@ -189,6 +194,10 @@ PreparedScene prepare_scene(const SceneArguments& arguments) {
   else
     import_input(scene, arguments);
   scene.snapshot = take_snapshot(scene);
+  if (!arguments.save_as.empty()) {
+    scene.workspace->session().save_scene(arguments.save_as);
+    note(arguments.save_as + ": the scene, saved");
+  }
   scene.load_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return scene;
 }

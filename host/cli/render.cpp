@@ -45,11 +45,8 @@ int run_once(const RenderArguments& arguments, const std::string& command_line) 
   // Whatever is wrong with an output is told before the time is spent.
   const WriteOptions writing = write_options(arguments);
   for (const std::string& output : arguments.outputs) check_output(output, writing);
-  if (!arguments.save_scene.empty() && !arguments.save_scene.ends_with(".plinian"))
-    throw std::runtime_error(arguments.save_scene + ": the name of a scene ends in .plinian");
 
   PreparedScene scene = prepare_scene(arguments.scene);
-  if (!arguments.save_scene.empty()) scene.workspace->session().save_scene(arguments.save_scene);
   std::vector<std::string> outputs = arguments.outputs;
   if (outputs.empty()) {
     outputs.push_back(default_output(arguments, scene));
@@ -99,7 +96,7 @@ Run set_up_render(CLI::App& app) {
   app.add_option("-o,--output", arguments->outputs, "picture to write, .exr or .png; may be repeated")
       ->type_name("FILE")
       ->allow_extra_args(false);
-  app.add_option("--save-scene", arguments->save_scene, "the scene that INPUT and --set make, .plinian")
+  app.add_option("--save-scene", arguments->scene.save_as, "the scene that INPUT and --set make, .plinian")
       ->type_name("FILE");
   app.add_option("--frames", arguments->frames, "a picture for each of these frames")
       ->type_name("A-B")

@@ -14,7 +14,6 @@ struct RenderArguments {
   std::string frames;             // "A-B", "A" or ""
   std::vector<std::string> vary;  // KEY=VALUE,VALUE,...
   std::string sheet;              // of the variants
-  std::string save_scene;         // .plinian
   std::string renderer = "auto";
   int passes = 0;  // jittered passes; 0: until the picture rests, as the preset says
   float exposure = 0.0f;

@@ -23,6 +23,7 @@ struct SceneArguments {
                                                             // "--grid" and its value
   double vdb_time_limit_s = 0.0;
   std::string vdb_memory_limit;  // "2G"
+  std::string save_as;           // where the scene goes, .plinian; empty: nowhere
 };
 
 /// Declares INPUT and the options on `app`. with_preset: --preset and the options that change it.

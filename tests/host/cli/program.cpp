@@ -26,6 +26,8 @@ Ended plinian_program(const std::vector<std::string>& arguments, const RunOption
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
 
+  // Opened here: another user may not be let into the folder that it lies in.
+  const int program = open(PLINIAN_PROGRAM, O_RDONLY | O_CLOEXEC);
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("no process");
   if (child == 0) {
@@ -35,9 +37,10 @@ Ended plinian_program(const std::vector<std::string>& arguments, const RunOption
     if (chdir(options.folder.c_str()) != 0) _exit(126);
     setenv("XDG_CONFIG_HOME", "/nonexistent", 1);
     for (const auto& [name, value] : options.environment) setenv(name.c_str(), value.c_str(), 1);
-    execv(argv[0], argv.data());
+    fexecve(program, argv.data(), environ);
     _exit(127);
   }
+  close(program);
   close(out[1]);
   close(err[1]);
 
@@ -47,8 +50,8 @@ Ended plinian_program(const std::vector<std::string>& arguments, const RunOption
   bool signalled = options.signal_after_s <= 0.0;
   pollfd pipes[2] = {{out[0], POLLIN, 0}, {err[0], POLLIN, 0}};
   std::string* texts[2] = {&ended.out, &ended.err};
-  int open = 2;
-  while (open > 0) {
+  int left = 2;
+  while (left > 0) {
     poll(pipes, 2, 20);
     if (!counting && ended.err.find(options.signal_after_text) != std::string::npos) {
       start = std::chrono::steady_clock::now();
@@ -69,7 +72,7 @@ Ended plinian_program(const std::vector<std::string>& arguments, const RunOption
       } else {
         close(pipes[i].fd);
         pipes[i].fd = -1;
-        --open;
+        --left;
       }
     }
   }

@@ -30,6 +30,16 @@ TEST_F(Program, ASavedSceneGivesThePictureThatItsInputGave) {
   }
 }
 
+TEST_F(Program, ALookIsPutOnAsAWholeOrRefused) {
+  render({"sphere", "-o", "plain.exr"});
+  render({"sphere", "-o", "ash.exr", "--set", "medium.look=ash"});
+  EXPECT_NE(text_fact(picture("plain.exr"), attribute::scene_hash),
+            text_fact(picture("ash.exr"), attribute::scene_hash));
+  const Ended refused = run({"render", "sphere", "-o", "x.exr", "--set", "medium.look=ahs"});
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_NE(refused.err.find("no such look"), std::string::npos) << refused.err;
+}
+
 TEST_F(Program, SetReachesAnyAttributeOfASceneAndItsQualitySets) {
   render({"sphere", "-o", "a.exr", "--save-scene", "a.plinian"});
   const auto with = [&](std::vector<std::string> more) {

@@ -27,6 +27,17 @@ class Frames : public Program {
   const fs::path data_ = fs::path(PLINIAN_SOURCE_DIR) / ".." / "shared" / "data";
 };
 
+TEST_F(Frames, SaveTheSceneThatTheyAreOf) {
+  std::vector<std::string> words = arguments({"--save-scene", "s.plinian"});
+  const Ended ended = run(words);
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_NE(ended.err.find("the picture is empty: there is no density"), std::string::npos) << ended.err;
+  words = {"render", "s.plinian", "--frames", "2-2",      "-o", "t.####.exr", "--renderer",
+           "cpu",    "--size",    "24x24",    "--passes", "4",  "--set",      "map.resolution=32"};
+  EXPECT_EQ(run(words).code, 0);
+  EXPECT_EQ(mean_of(picture("s.0002.exr"), "A"), mean_of(picture("t.0002.exr"), "A"));
+}
+
 TEST_F(Frames, AreMadeOnceAndAgainAfterAnEdit) {
   const json first = frames();
   EXPECT_EQ(first["made"], 3);
