@@ -66,7 +66,13 @@ graph::Plug plug_of(const graph::Graph& graph, const SceneEdit& edit) {
   try {
     return graph.plug(edit.key);
   } catch (const graph::GraphError& error) {
-    throw std::runtime_error(edit.where + ": " + error.what());
+    // What places a camera is no attribute of it, and is mistyped as easily.
+    const std::string said = error.what();
+    const auto meant = node == "camera" && said.find("did you mean") == said.npos
+                           ? nearest_word(edit.key.substr(dot + 1), parameter_names(camera_parameters()))
+                           : std::nullopt;
+    throw std::runtime_error(edit.where + ": " + said +
+                             (meant ? " (did you mean 'camera." + *meant + "'?)" : ""));
   }
 }
 
