@@ -24,11 +24,12 @@ void initialise(sdk::Plugin& plugin) {
   add_reload(plugin, store);
 }
 
-PLINIAN_LINKED_PLUGIN(plugin, "nodes", "0.1.0", "Plinian",
-                      "node:time node:animCurve node:transform node:medium node:directionalLight node:spotLight "
-                      "node:pointLight node:ambientLight node:camera node:renderSettings node:referenceImage "
-                      "node:volumeNoise node:volumeRead command:reload",
-                      initialise);
+PLINIAN_LINKED_PLUGIN(
+    plugin, "nodes", "0.1.0", "Plinian",
+    "node:time node:animCurve node:transform node:medium node:directionalLight node:spotLight "
+    "node:pointLight node:ambientLight node:camera node:renderSettings node:referenceImage "
+    "node:volumeNoise node:volumeRead command:reload",
+    initialise);
 
 }  // namespace
 

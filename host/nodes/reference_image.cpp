@@ -44,11 +44,8 @@ void add_reference_image(sdk::Plugin& plugin) {
             .type = "node",
             .help = "Shown where this camera is looked through; none: everywhere.",
             .keyable = false});
-  const sdk::Attribute image = type.add({.name = "image",
-                                         .type = "data",
-                                         .help = "What was read.",
-                                         .data_type = "image",
-                                         .output = true});
+  const sdk::Attribute image = type.add(
+      {.name = "image", .type = "data", .help = "What was read.", .data_type = "image", .output = true});
   type.compute = [=](sdk::Context& context, sdk::Attribute) {
     std::string path = context.text(file);
     if (path.empty()) throw sdk::Error("no file is set");

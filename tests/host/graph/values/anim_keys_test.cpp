@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
-
 #include "host/graph/values/anim_keys.h"
+
+#include <gtest/gtest.h>
 
 namespace plinian::graph {
 namespace {
