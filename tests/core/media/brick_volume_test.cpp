@@ -119,6 +119,44 @@ TEST(BrickVolume, EmptyCellsPromiseOnlySpaceThatIsEmpty) {
   EXPECT_GT(leaps, 1000);
 }
 
+TEST(BrickVolume, OctantsTellWhatIsInThemAndRangesHoldAllValues) {
+  BrickVolumeBuilder builder;
+  std::mt19937 random(3);
+  std::uniform_int_distribution<int> rare(0, 300), value(1, 9);
+  for (int z = 0; z < 3; ++z)
+    for (int y = 0; y < 3; ++y)
+      for (int x = 0; x < 3; ++x)
+        add_block(builder, {x, y, z}, [&](ivec3) { return rare(random) == 0 ? float(value(random)) : 0.0f; });
+  add_block(builder, {6, 0, 0}, [&](ivec3) { return float(value(random)); });  // nowhere empty
+  const BrickVolume volume = builder.build(dmat4(1.0));
+  ASSERT_EQ(volume.levels, 0);
+  int empty = 0, filled = 0;
+  for (int z = -1; z < 3; ++z)
+    for (int y = -1; y < 3; ++y)
+      for (int x = -1; x < 8; ++x) {
+        const auto found = volume.find(ivec3(x, y, z) * 8);
+        if (!(found.entry.x & BrickVolume::occupied_bit)) continue;
+        const float maximum = glm::unpackHalf2x16(found.entry.y).y * volume.density_max;
+        const float minimum = maximum * float(found.entry.y >> 8 & 255u) / 255.0f;
+        for (int octant = 0; octant < 8; ++octant) {
+          const ivec3 corner = found.corner + ivec3(octant & 1, octant >> 1 & 1, octant >> 2) * 4;
+          bool holds = false;
+          // Its cells reach to the first voxels of what is beside it.
+          for (int i = 0; i < 125; ++i) {
+            const ivec3 inside(i % 5, i / 5 % 5, i / 25);
+            const float density = volume.voxel_density(corner + inside);
+            holds = holds || density > 0.0f;
+            EXPECT_LE(density, maximum * 1.0001f);
+            EXPECT_GE(density, minimum * 0.9999f - 1e-6f);
+          }
+          EXPECT_EQ(bool(found.entry.y >> octant & 1u), holds);
+          ++(holds ? filled : empty);
+        }
+      }
+  EXPECT_GT(empty, 50);
+  EXPECT_GT(filled, 50);
+}
+
 TEST(BrickVolume, StoresTemperatureForHotBricksAlone) {
   BrickVolumeBuilder builder;
   float density[512], temperature[512];
