@@ -29,6 +29,29 @@ class Program : public testing::Test {
     EXPECT_EQ(ended.code, 0) << ended.err;
     return ended;
   }
+  // Each edit costs its own work on a renderer, by the counters of a picture after it less those of one
+  // before: maps built, volumes uploaded. `uploads`: of a changed volume.
+  void expect_edits_cost_their_own_work(const std::string& renderer, const std::string& resolution,
+                                        const std::string& size, int uploads) {
+    const auto expect_costs = [&](const std::string& what, int maps, int volumes) {
+      SCOPED_TRACE(what);
+      const Ended ended = run({"render", "explosion", "--resolution", resolution, "--renderer", renderer,
+                               "--size", size, "--passes", "1", "--set", "map.resolution=64", "--sheet",
+                               "v.png", "--quiet", "--json", "--vary", what});
+      ASSERT_EQ(ended.code, 0) << ended.err;
+      const nlohmann::json report = nlohmann::json::parse(ended.out);
+      const nlohmann::json &first = report["variants"][0], &second = report["variants"][1];
+      EXPECT_NE(first["scene_hash"], second["scene_hash"]) << "nothing was varied";
+      EXPECT_EQ(second["map_builds"].get<int>() - first["map_builds"].get<int>(), maps);
+      EXPECT_EQ(second["volume_uploads"].get<int>() - first["volume_uploads"].get<int>(), volumes);
+    };
+    for (const char* free : {"medium.albedo=0.3,0.6", "medium.g=0.1,0.5", "key.exposure=0,1",
+                             "camera.translate.x=1,2", "medium.emission_scale=1,2"})
+      expect_costs(free, 0, 0);
+    expect_costs("medium.density_scale=5,9", 2, 0);  // two lights
+    expect_costs("key.rotate.y=10,40", 1, 0);
+    expect_costs("medium_noise.seed=1,2", 2, uploads);
+  }
   Image picture(const std::string& name) { return read_image(folder_ / name); }
   std::string text_fact(const Image& image, const char* name) {
     const auto found = image.metadata.find(name);
@@ -55,14 +78,6 @@ inline double mean_of(const Image& image, const std::string& channel) {
   double sum = 0.0;
   for (const float value : image.find(channel)->values) sum += value;
   return sum / double(image.pixel_count());
-}
-
-// What a variation costs, by the counters of its second picture less those of its first.
-inline void expect_costs(const nlohmann::json& report, int maps, int uploads) {
-  const nlohmann::json &first = report["variants"][0], &second = report["variants"][1];
-  EXPECT_NE(first["scene_hash"], second["scene_hash"]) << "nothing was varied";
-  EXPECT_EQ(second["map_builds"].get<int>() - first["map_builds"].get<int>(), maps);
-  EXPECT_EQ(second["volume_uploads"].get<int>() - first["volume_uploads"].get<int>(), uploads);
 }
 
 // The shape that scripts rely on.

@@ -163,21 +163,7 @@ TEST_F(Program, VariantsStandOnASheet) {
 }
 
 TEST_F(Program, AnEditCostsNoMoreThanItsOwnWork) {
-  const auto varied = [&](const std::string& what) {
-    const Ended ended =
-        run({"render", "explosion", "--resolution", "16", "--renderer", "cpu", "--size", "8x8", "--passes",
-             "1", "--set", "map.resolution=16", "--sheet", "v.png", "--quiet", "--json", "--vary", what});
-    EXPECT_EQ(ended.code, 0) << ended.err;
-    return json::parse(ended.out);
-  };
-  for (const char* free : {"medium.albedo=0.3,0.6", "medium.g=0.1,0.5", "key.exposure=0,1",
-                           "camera.translate.x=1,2", "medium.emission_scale=1,2"}) {
-    SCOPED_TRACE(free);
-    expect_costs(varied(free), 0, 0);
-  }
-  expect_costs(varied("medium.density_scale=5,9"), 2, 0);  // two lights
-  expect_costs(varied("key.rotate.y=10,40"), 1, 0);
-  expect_costs(varied("medium_noise.seed=1,2"), 2, 0);
+  expect_edits_cost_their_own_work("cpu", "16", "8x8", 0);
 }
 
 }  // namespace
