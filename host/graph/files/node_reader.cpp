@@ -90,7 +90,7 @@ NodeText NodeReader::read(const std::vector<SceneLine>& lines, const WarnLine& w
   for (const SceneLine& line : lines) {
     if (split_attribute(line.text, path, rest)) {
       if (is_connection(rest)) {
-        result.connections.push_back({path, rest.substr(3), line});
+        result.links.connections.push_back({path, rest.substr(3), line});
         if (type_->is_unknown()) node.kept.push_back({line.text, path, {}, rest.substr(3)});
       } else if (type_->is_unknown()) {
         node.kept.push_back({line.text});
@@ -111,7 +111,7 @@ NodeText NodeReader::read(const std::vector<SceneLine>& lines, const WarnLine& w
         AttributeSpec spec = read_declaration(std::span(words).subspan(1), added_path);
         add_declaration(added, added_path, std::move(spec));
       } else if (words[0].text == "lock" && words.size() == 2 && words[1].text.starts_with('.')) {
-        result.locks.push_back({words[1].text.substr(1), "", line});
+        result.links.locks.push_back({words[1].text.substr(1), "", line});
       } else if (newer_) {
         node.kept.push_back({line.text});
       } else {
@@ -152,7 +152,7 @@ NodeText NodeReader::read(const std::vector<SceneLine>& lines, const WarnLine& w
       const SchemaAttribute& found = (*node.schema)[plug.attribute];
       if (found.array != no_attribute && plug.element < 0) continue;  // default of an element
       if (found.spec.type == AttributeType::node) {
-        result.references.push_back({attribute.path, attribute.text, line});
+        result.links.references.push_back({attribute.path, attribute.text, line});
         continue;
       }
       bool clamped = false;
@@ -189,17 +189,17 @@ NodeText NodeReader::read(const std::vector<SceneLine>& lines, const WarnLine& w
   return result;
 }
 
-void finish_node(Editor& editor, NodeId id, const NodeText& text,
+void finish_node(Editor& editor, NodeId id, const NodeLinks& links,
                  const std::function<NodeId(std::string_view)>& node_of, const WarnLine& warn) {
   const Graph& graph = editor.graph();
   std::vector<KeptLine> kept = graph.find(id)->kept;
   const std::size_t kept_before = kept.size();
   bool resolved = false;
-  const auto keep = [&](const NodeText::Deferred& deferred, const std::string& why) {
-    warn(deferred.line.number, why + "; the line is kept as it is");
-    kept.push_back({deferred.line.text});
+  const auto keep = [&](const NodeLinks::Link& link, const std::string& why) {
+    warn(link.line.number, why + "; the line is kept as it is");
+    kept.push_back({link.line.text});
   };
-  for (const auto& reference : text.references) {
+  for (const auto& reference : links.references) {
     try {
       const std::vector<Word> words = split_words(reference.text);
       const NodeId target = words.size() == 1 ? node_of(words[0].text) : NodeId();
@@ -210,7 +210,7 @@ void finish_node(Editor& editor, NodeId id, const NodeText& text,
       keep(reference, error.what());
     }
   }
-  for (const auto& connection : text.connections) {
+  for (const auto& connection : links.connections) {
     const std::size_t dot = connection.text.find('.');
     const std::string source_path = dot == std::string::npos ? "" : connection.text.substr(dot + 1);
     const NodeId source = node_of(connection.text.substr(0, dot));
@@ -237,7 +237,7 @@ void finish_node(Editor& editor, NodeId id, const NodeText& text,
       keep(connection, error.what());
     }
   }
-  for (const auto& lock : text.locks) {
+  for (const auto& lock : links.locks) {
     try {
       editor.lock(Graph::plug(*graph.find(id), lock.path), true);
     } catch (const GraphError& error) {

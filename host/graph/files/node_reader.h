@@ -14,15 +14,20 @@ namespace plinian::graph {
 /// What a scene says that is no reason to refuse it; `line` is 0 where none is to blame.
 using WarnLine = std::function<void(int line, const std::string& message)>;
 
-/// A node as far as it can be read before the others are there.
-struct NodeText {
-  struct Deferred {
+/// What of a node can be read only when the others are there.
+struct NodeLinks {
+  struct Link {
     std::string path;  // of the attribute
     std::string text;  // reference: the name; connection: NODE.ATTRIBUTE
     SceneLine line;
   };
+  std::vector<Link> references, connections, locks;
+};
+
+/// A node as its lines describe it.
+struct NodeText {
   Node node;  // without id, name, parent and connections
-  std::vector<Deferred> references, connections, locks;
+  NodeLinks links;
 };
 
 /// Reads nodes of one type, given what the scene says of it.
@@ -52,7 +57,7 @@ class NodeReader {
 
 /// The second half, when all nodes are there: references, connections and locks. What cannot be used is kept.
 /// node_of: the node that the scene calls by a name; 0 where there is none.
-void finish_node(Editor& editor, NodeId node, const NodeText& text,
+void finish_node(Editor& editor, NodeId node, const NodeLinks& links,
                  const std::function<NodeId(std::string_view)>& node_of, const WarnLine& warn);
 
 }  // namespace plinian::graph

@@ -32,7 +32,7 @@ class SceneReader {
     const History::Scope scope(editor_.history(), "open");
     greet(scene);
     prepare_types(scene);
-    texts_.reserve(scene.nodes.size());
+    links_.reserve(scene.nodes.size());
     report_.nodes.reserve(scene.nodes.size());
     by_name_.reserve(scene.nodes.size());
     for (const NodeSection& section : scene.nodes) add_node(section, scene.is_newer());
@@ -42,8 +42,8 @@ class SceneReader {
       return found == by_name_.end() ? NodeId() : found->second;
     };
     const WarnLine warn = [this](int line, const std::string& message) { add_warning(line, message); };
-    for (std::size_t i = 0; i < texts_.size(); ++i)
-      finish_node(editor_, report_.nodes[i], texts_[i], node_of, warn);
+    for (std::size_t i = 0; i < links_.size(); ++i)
+      finish_node(editor_, report_.nodes[i], links_[i], node_of, warn);
     count_unknown();
     if (hidden_warnings_ > 0)
       report_.warnings.push_back(name_ + ": and " + std::to_string(hidden_warnings_) + " more warnings");
@@ -126,7 +126,7 @@ class SceneReader {
     const NodeId id = editor_.add_node(std::move(node));
     by_name_.emplace(section.name, id);
     report_.nodes.push_back(id);
-    texts_.push_back(std::move(text));
+    links_.push_back(std::move(text.links));
   }
 
   // Gives a node of an unknown type the defaults that its scene leaves to the type's section.
@@ -179,7 +179,7 @@ class SceneReader {
   std::map<std::string, NodeReader> readers_;
   std::map<std::string, const TypeSection*> spelled_out_;
   std::unordered_map<std::string, NodeId> by_name_;
-  std::vector<NodeText> texts_;
+  std::vector<NodeLinks> links_;
   std::size_t hidden_warnings_ = 0;
 };
 

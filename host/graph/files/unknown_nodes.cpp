@@ -35,7 +35,7 @@ std::vector<std::string> revive_nodes(Editor& editor, const NodeTypePtr& type) {
     const Node* node = graph.find(name);
     return node ? node->id : NodeId();
   };
-  std::vector<NodeText> texts;
+  std::vector<NodeLinks> links;
   std::string current;
   const WarnLine warn = [&](int, const std::string& message) {
     warnings.push_back(current + ": " + message);
@@ -51,16 +51,16 @@ std::vector<std::string> revive_nodes(Editor& editor, const NodeTypePtr& type) {
     node.name = old.name;
     node.parent = old.parent;
     editor.replace_node(std::move(node));
-    texts.push_back(std::move(text));
+    links.push_back(std::move(text.links));
   }
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     current = graph.find(nodes[i])->name;
-    finish_node(editor, nodes[i], texts[i], node_of, warn);
+    finish_node(editor, nodes[i], links[i], node_of, warn);
   }
   // Others that were waiting for one of these.
   for (const Node* node : graph.nodes()) {
     if (node->type->is_unknown()) continue;
-    NodeText waiting;
+    NodeLinks waiting;
     std::vector<KeptLine> rest;
     for (const KeptLine& kept : node->kept) {
       const Node* source = kept.source ? graph.find(kept.source) : nullptr;
@@ -122,7 +122,7 @@ void forget_type(Editor& editor, const NodeTypePtr& type) {
       editor.history().perform(SetInput{{id, input.attribute, input.element, input.component}, std::nullopt});
     editor.replace_node(std::move(copy));
     finish_node(
-        editor, id, text,
+        editor, id, text.links,
         [&](std::string_view name) {
           const Node* source = graph.find(name);
           return source ? source->id : NodeId();

@@ -3,6 +3,7 @@
 // Everybody may look; only History may change it, and only by edits, so that no change escapes undo.
 #pragma once
 
+#include <deque>
 #include <map>
 #include <memory>
 #include <set>
@@ -113,9 +114,9 @@ class Graph {
   Edit apply_one(const SetKeptType& edit);
   Node& changeable(NodeId id);
 
-  NodePages nodes_;                             // number 0 is nobody's
-  std::vector<std::set<Connection>> outgoing_;  // by number
-  std::vector<std::set<NodeId>> children_;      // by number; of 0: the top of the hierarchy
+  NodePages nodes_;                            // number 0 is nobody's
+  std::deque<std::set<Connection>> outgoing_;  // by number
+  std::deque<std::set<NodeId>> children_;      // by number; of 0: the top of the hierarchy
   std::unordered_map<std::string, NodeId> by_name_;
   mutable std::unordered_map<std::string, int>
       next_number_;  // numbers below are taken, by name without number
