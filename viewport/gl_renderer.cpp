@@ -224,14 +224,14 @@ Frame GlRenderer::render_once(const SceneSnapshot& scene, const Passes& passes, 
 
   stats_.map_bytes = 0;
   stats_.map_ms = stats_.view_ms = stats_.map_cpu_ms = stats_.view_cpu_ms = 0.0;
-  // One pass of some lights; `first` where it is the first in their sums.
+  // One pass of some lights.
   const FlatScene* in_blocks = nullptr;
-  const auto render_part = [&](const FlatScene& flat, BatchState& state, int pass, bool first) {
+  const auto render_part = [&](const FlatScene& flat, BatchState& state, int pass) {
     if (in_blocks != &flat) gpu_->blocks.update(flat, textures);
     in_blocks = &flat;
     auto start = Clock::now();
     double cpu_start = processor_milliseconds();
-    if (first && flat.view.light == LightLookup::map) {
+    if (pass == 0 && flat.view.light == LightLookup::map) {
       build_maps(flat, state, go_on);
       glFinish();
     }
@@ -246,42 +246,39 @@ Frame GlRenderer::render_once(const SceneSnapshot& scene, const Passes& passes, 
       state.sums_size = size;
     }
     done = job++ / jobs;
-    if (!gpu_->view_pass.render(gpu_->blocks, flat, scene, state.maps, pass, first, box, state.sums, go_on))
+    if (!gpu_->view_pass.render(gpu_->blocks, flat, scene, state.maps, pass, starts_sums(pass), box,
+                                state.sums, go_on))
       throw RenderCancelled();
     glFinish();
     stats_.view_ms += milliseconds_since(start);
     stats_.view_cpu_ms += processor_milliseconds() - cpu_start;
   };
 
-  // What all parts have gathered in so many passes.
+  // The parts of a pass, and where they gather.
+  const auto parts_of = [&](int pass) -> const std::vector<FlatScene>& {
+    return pass < map_passes ? batches : exact_parts;
+  };
+  const auto states_of = [&](int pass) -> std::vector<BatchState>& {
+    return pass < map_passes ? gpu_->batches : gpu_->exact_batches;
+  };
+  // What all parts have gathered in so many passes. Media are seen the same by all: those of the first count.
   const auto gather = [&](int passes_done) {
+    const std::vector<FlatScene>& parts = parts_of(passes_done - 1);
     FrameSums sums(scene, whole.lights.size());
     std::size_t first_light = 0;
-    for (std::size_t b = 0; b < batches.size(); ++b) {
-      read_sums(gpu_->batches[b].sums, batches[b], scene, box, std::min(passes_done, map_passes), first_light,
-                b == 0, sums);
-      first_light += batches[b].lights.size();
+    for (std::size_t b = 0; b < parts.size(); ++b) {
+      read_sums(states_of(passes_done - 1)[b].sums, parts[b], scene, box, passes_that_count(passes_done),
+                first_light, b == 0, sums);
+      first_light += parts[b].lights.size();
     }
-    if (passes_done > map_passes) {
-      // Media are seen the same by every light's passes: those of the first count.
-      FrameSums rest(scene, whole.lights.size());
-      for (std::size_t b = 0; b < exact_parts.size(); ++b)
-        read_sums(gpu_->exact_batches[b].sums, exact_parts[b], scene, box, passes_done - map_passes, b,
-                  b == 0, rest);
-      add_passes(sums, rest);
-    }
-    return resolve(std::move(sums), scene, passes_done);
+    return resolve(std::move(sums), scene, passes_that_count(passes_done));
   };
 
   Refinement refinement(passes);
   int pass = 0;
   do {
-    if (pass < map_passes)
-      for (std::size_t b = 0; b < batches.size(); ++b)
-        render_part(batches[b], gpu_->batches[b], pass, pass == 0);
-    else
-      for (std::size_t b = 0; b < exact_parts.size(); ++b)
-        render_part(exact_parts[b], gpu_->exact_batches[b], pass, pass == map_passes);
+    for (std::size_t b = 0; b < parts_of(pass).size(); ++b)
+      render_part(parts_of(pass)[b], states_of(pass)[b], pass);
     ++pass;
   } while (refinement.wants_another(pass, [&] { return gather(pass); }));
   if (context_lost()) throw ContextLost();

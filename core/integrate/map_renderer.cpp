@@ -130,7 +130,7 @@ Frame MapRenderer::render(const SceneSnapshot& scene, const Passes& passes, cons
           sums.transmittance[pixel] += result.transmittance;
           sums.ambient[pixel] += result.ambient;
           sums.emission[pixel] += result.emission;
-          if (pass == 0) sums.depth[pixel] = result.depth;
+          if (starts_sums(pass)) sums.depth[pixel] = result.depth;
         }
         for (std::size_t l = 0; l < flat.lights.size(); ++l)
           sums.lights[first_light + l][pixel] += result.light[l];
@@ -142,6 +142,7 @@ Frame MapRenderer::render(const SceneSnapshot& scene, const Passes& passes, cons
   int done = 0;
   do {
     std::size_t first_light = 0;
+    if (starts_sums(done)) sums = FrameSums(scene, whole.lights.size());
     if (done < map_passes)
       for (std::size_t b = 0; b < batches.size(); ++b) {
         render_part(batches[b], batches_[b].texels.data(), first_light, done, b == 0);
@@ -151,7 +152,7 @@ Frame MapRenderer::render(const SceneSnapshot& scene, const Passes& passes, cons
       for (std::size_t l = 0; l < exact_parts.size(); ++l)
         render_part(exact_parts[l], nullptr, l, done, l == 0);
     ++done;
-  } while (refinement.wants_another(done, [&] { return resolve(sums, scene, done); }));
+  } while (refinement.wants_another(done, [&] { return resolve(sums, scene, passes_that_count(done)); }));
   stats_.passes = done;
   stats_.rest_change = refinement.rest_change();
   const auto milliseconds = [](auto from, auto to) {
@@ -161,7 +162,7 @@ Frame MapRenderer::render(const SceneSnapshot& scene, const Passes& passes, cons
   stats_.view_ms = milliseconds(maps_done, Clock::now());
   stats_.map_cpu_ms = cpu_maps - cpu_start;
   stats_.view_cpu_ms = processor_milliseconds() - cpu_maps;
-  return resolve(std::move(sums), scene, done);
+  return resolve(std::move(sums), scene, passes_that_count(done));
 }
 
 }  // namespace

@@ -47,16 +47,6 @@ void add_plane(std::vector<vec3>& layer, int width, PixelBox box, const std::vec
   });
 }
 
-void add_passes(FrameSums& sums, const FrameSums& more) {
-  const auto add = [](std::vector<vec3>& to, const std::vector<vec3>& from) {
-    for_pixels(to.size(), [&](std::size_t i) { to[i] += from[i]; });
-  };
-  add(sums.transmittance, more.transmittance);
-  add(sums.ambient, more.ambient);
-  add(sums.emission, more.emission);
-  for (std::size_t l = 0; l < sums.lights.size(); ++l) add(sums.lights[l], more.lights[l]);
-}
-
 Frame resolve(FrameSums sums, const SceneSnapshot& scene, int passes) {
   const std::size_t pixels = sums.depth.size();
   Frame frame;

@@ -16,6 +16,7 @@ PLN_BEGIN
 
 struct ViewControls {
   float quantum;  // [-] opacity gained between two light lookups
+  float skin;     // [-] share of a quantum that the first one is; they grow with the opacity in front
   float step;     // [voxels] between density samples
   float lead;     // [voxels] in [0, step): jitter of the density samples
   float place;    // [-] in (0, 1): share of a quantum's opacity in front of its lookup
@@ -46,8 +47,11 @@ PLN_FN ViewControls view_controls(ivec2 pixel, int pass, float quantum, float st
   float first = fract(shift + float(pass) * 0.7548776662f);
   float second = fract(shift + float(pass) * 0.5698402910f);
   ViewControls controls;
-  // Further passes are finer, as what they add has to be finer.
+  // Further passes are finer, as what they add has to be finer. Light that just grazes what shadows the
+  // surface reaches the first hundredths of its opacity alone, and is bright there: were they but a part of
+  // the first quantum, most passes would miss it, and those that do not would leave speckle.
   controls.quantum = pass == 0 ? quantum : 0.25f * quantum;
+  controls.skin = pass == 0 ? 1.0f : 0.0625f;
   controls.step = pass == 0 ? step : 0.125f * step;
   controls.deep = pass == 0 ? 10.0f : 1.0f;
   controls.lead = pass == 0 ? 0.0f : controls.step * first;
@@ -189,7 +193,8 @@ PLN_FN ViewResult march_view(PLN_SCENE, vec3 origin, vec3 direction, float t_nea
     walk.steep = steep_segment * min(1.0f / seen_mean, controls.deep);
     // The quantum: equal shares of opacity, but the last would reach to infinite depth, so towards the end
     // they shrink with what is left. One always ends where alpha passes 0.5: that is the depth.
-    float target = max(seen_mean - controls.quantum, 0.25f * seen_mean);
+    float quantum = min(controls.quantum, controls.skin * controls.quantum + (1.0f - seen_mean));
+    float target = max(seen_mean - quantum, 0.25f * seen_mean);
     if (result.depth > 1e29f) target = max(target, 0.5f);
     float tau_target = log(seen_mean / target);
     // Where `place` of its opacity is gained the quantum is shaded: always in matter, never in a gap between
