@@ -13,6 +13,7 @@
 #include "core/integrate/media_pixels.h"
 #include "core/scene/frame_layers.h"
 #include "core/scene/rest_gauge.h"
+#include "core/shared/pass_weight.h"
 #include "core/transmittance/map_key.h"
 #include "viewport/gl/egl_context.h"
 #include "viewport/passes/map_pass.h"
@@ -129,10 +130,10 @@ void GlRenderer::build_maps(const FlatScene& flat, BatchState& batch, const std:
   stats_.map_bytes += texels * sizeof(uvec4);
 }
 
-/// Adds what `passes` of a batch left in `box` of its planes to the sums of a picture; its lights begin at
-/// number first_light. Outside the box nothing stands in the way.
+/// Adds what passes of `weight` together of a batch left in `box` of its planes to the sums of a picture; its
+/// lights begin at number first_light. Outside the box nothing stands in the way.
 void read_sums(const gl::Texture& planes, const FlatScene& flat, const SceneSnapshot& scene, PixelBox box,
-               int passes, std::size_t first_light, bool with_media, FrameSums& sums) {
+               float weight, std::size_t first_light, bool with_media, FrameSums& sums) {
   std::vector<vec4> plane(std::size_t(box.size.x) * box.size.y);
   const auto read = [&](int layer) {
     if (!box.empty())
@@ -142,7 +143,7 @@ void read_sums(const gl::Texture& planes, const FlatScene& flat, const SceneSnap
   const passes::PlaneLayout layout = passes::plane_layout(flat, scene);
   if (with_media) {
     read(0);
-    set_media_plane(sums, scene.width, box, plane, passes);
+    set_media_plane(sums, scene.width, box, plane, weight);
     if (layout.ambient >= 0) {
       read(layout.ambient);
       add_plane(sums.ambient, scene.width, box, plane);
@@ -224,14 +225,14 @@ Frame GlRenderer::render_once(const SceneSnapshot& scene, const Passes& passes, 
 
   stats_.map_bytes = 0;
   stats_.map_ms = stats_.view_ms = stats_.map_cpu_ms = stats_.view_cpu_ms = 0.0;
-  // One pass of some lights.
+  // One pass of some lights; `first` where it is the first in their sums.
   const FlatScene* in_blocks = nullptr;
-  const auto render_part = [&](const FlatScene& flat, BatchState& state, int pass) {
+  const auto render_part = [&](const FlatScene& flat, BatchState& state, int pass, bool first) {
     if (in_blocks != &flat) gpu_->blocks.update(flat, textures);
     in_blocks = &flat;
     auto start = Clock::now();
     double cpu_start = processor_milliseconds();
-    if (pass == 0 && flat.view.light == LightLookup::map) {
+    if (first && flat.view.light == LightLookup::map) {
       build_maps(flat, state, go_on);
       glFinish();
     }
@@ -246,39 +247,43 @@ Frame GlRenderer::render_once(const SceneSnapshot& scene, const Passes& passes, 
       state.sums_size = size;
     }
     done = job++ / jobs;
-    if (!gpu_->view_pass.render(gpu_->blocks, flat, scene, state.maps, pass, starts_sums(pass), box,
-                                state.sums, go_on))
+    if (!gpu_->view_pass.render(gpu_->blocks, flat, scene, state.maps, pass, first, box, state.sums, go_on))
       throw RenderCancelled();
     glFinish();
     stats_.view_ms += milliseconds_since(start);
     stats_.view_cpu_ms += processor_milliseconds() - cpu_start;
   };
 
-  // The parts of a pass, and where they gather.
-  const auto parts_of = [&](int pass) -> const std::vector<FlatScene>& {
-    return pass < map_passes ? batches : exact_parts;
-  };
-  const auto states_of = [&](int pass) -> std::vector<BatchState>& {
-    return pass < map_passes ? gpu_->batches : gpu_->exact_batches;
-  };
-  // What all parts have gathered in so many passes. Media are seen the same by all: those of the first count.
+  // What all parts have gathered in so many passes.
   const auto gather = [&](int passes_done) {
-    const std::vector<FlatScene>& parts = parts_of(passes_done - 1);
+    const float weight = shared::weight_of_passes(passes_done),
+                weight_of_maps = shared::weight_of_passes(std::min(passes_done, map_passes));
     FrameSums sums(scene, whole.lights.size());
     std::size_t first_light = 0;
-    for (std::size_t b = 0; b < parts.size(); ++b) {
-      read_sums(states_of(passes_done - 1)[b].sums, parts[b], scene, box, passes_that_count(passes_done),
-                first_light, b == 0, sums);
-      first_light += parts[b].lights.size();
+    for (std::size_t b = 0; b < batches.size(); ++b) {
+      read_sums(gpu_->batches[b].sums, batches[b], scene, box, weight_of_maps, first_light, b == 0, sums);
+      first_light += batches[b].lights.size();
     }
-    return resolve(std::move(sums), scene, passes_that_count(passes_done));
+    if (passes_done > map_passes) {
+      // Media are seen the same by every light's passes: those of the first count.
+      FrameSums rest(scene, whole.lights.size());
+      for (std::size_t b = 0; b < exact_parts.size(); ++b)
+        read_sums(gpu_->exact_batches[b].sums, exact_parts[b], scene, box, weight - weight_of_maps, b, b == 0,
+                  rest);
+      add_passes(sums, rest);
+    }
+    return resolve(std::move(sums), scene, weight);
   };
 
   Refinement refinement(passes);
   int pass = 0;
   do {
-    for (std::size_t b = 0; b < parts_of(pass).size(); ++b)
-      render_part(parts_of(pass)[b], states_of(pass)[b], pass);
+    if (pass < map_passes)
+      for (std::size_t b = 0; b < batches.size(); ++b)
+        render_part(batches[b], gpu_->batches[b], pass, pass == 0);
+    else
+      for (std::size_t b = 0; b < exact_parts.size(); ++b)
+        render_part(exact_parts[b], gpu_->exact_batches[b], pass, pass == map_passes);
     ++pass;
   } while (refinement.wants_another(pass, [&] { return gather(pass); }));
   if (context_lost()) throw ContextLost();

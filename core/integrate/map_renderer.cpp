@@ -10,6 +10,7 @@
 #include "core/integrate/flat_scene.h"
 #include "core/scene/frame_layers.h"
 #include "core/scene/rest_gauge.h"
+#include "core/shared/pass_weight.h"
 #include "core/shared/view_march.h"
 #include "core/transmittance/map_key.h"
 
@@ -117,6 +118,7 @@ Frame MapRenderer::render(const SceneSnapshot& scene, const Passes& passes, cons
   const auto render_part = [&](const FlatScene& flat, const uvec4* texels, std::size_t first_light, int pass,
                                bool with_media) {
     const MarchViews views = view_of(flat, texels);
+    const float weight = shared::pass_weight(pass);
     for_rows(scene.height, job / jobs, (job + 1.0) / jobs, progress, [&](int y) {
       for (int x = 0; x < scene.width; ++x) {
         const vec3 direction = shared::pixel_direction(rays.forward, rays.right, rays.up, ivec2(x, y),
@@ -127,13 +129,13 @@ Frame MapRenderer::render(const SceneSnapshot& scene, const Passes& passes, cons
             shared::march_view(views.scene, rays.origin, direction, scene.camera.near_clip, controls);
         const std::size_t pixel = std::size_t(y) * scene.width + x;
         if (with_media) {
-          sums.transmittance[pixel] += result.transmittance;
-          sums.ambient[pixel] += result.ambient;
-          sums.emission[pixel] += result.emission;
-          if (starts_sums(pass)) sums.depth[pixel] = result.depth;
+          sums.transmittance[pixel] += weight * result.transmittance;
+          sums.ambient[pixel] += weight * result.ambient;
+          sums.emission[pixel] += weight * result.emission;
+          if (pass == 0) sums.depth[pixel] = result.depth;
         }
         for (std::size_t l = 0; l < flat.lights.size(); ++l)
-          sums.lights[first_light + l][pixel] += result.light[l];
+          sums.lights[first_light + l][pixel] += weight * result.light[l];
       }
     });
     ++job;
@@ -142,7 +144,6 @@ Frame MapRenderer::render(const SceneSnapshot& scene, const Passes& passes, cons
   int done = 0;
   do {
     std::size_t first_light = 0;
-    if (starts_sums(done)) sums = FrameSums(scene, whole.lights.size());
     if (done < map_passes)
       for (std::size_t b = 0; b < batches.size(); ++b) {
         render_part(batches[b], batches_[b].texels.data(), first_light, done, b == 0);
@@ -152,7 +153,8 @@ Frame MapRenderer::render(const SceneSnapshot& scene, const Passes& passes, cons
       for (std::size_t l = 0; l < exact_parts.size(); ++l)
         render_part(exact_parts[l], nullptr, l, done, l == 0);
     ++done;
-  } while (refinement.wants_another(done, [&] { return resolve(sums, scene, passes_that_count(done)); }));
+  } while (
+      refinement.wants_another(done, [&] { return resolve(sums, scene, shared::weight_of_passes(done)); }));
   stats_.passes = done;
   stats_.rest_change = refinement.rest_change();
   const auto milliseconds = [](auto from, auto to) {
@@ -162,7 +164,7 @@ Frame MapRenderer::render(const SceneSnapshot& scene, const Passes& passes, cons
   stats_.view_ms = milliseconds(maps_done, Clock::now());
   stats_.map_cpu_ms = cpu_maps - cpu_start;
   stats_.view_cpu_ms = processor_milliseconds() - cpu_maps;
-  return resolve(std::move(sums), scene, passes_that_count(done));
+  return resolve(std::move(sums), scene, shared::weight_of_passes(done));
 }
 
 }  // namespace

@@ -27,8 +27,8 @@ FrameSums::FrameSums(const SceneSnapshot& scene, std::size_t light_count) {
   lights.assign(light_count, transmittance);
 }
 
-void set_media_plane(FrameSums& sums, int width, PixelBox box, const std::vector<vec4>& plane, int passes) {
-  for_pixels(sums.depth.size(), [&](std::size_t i) { sums.transmittance[i] = vec3(float(passes)); });
+void set_media_plane(FrameSums& sums, int width, PixelBox box, const std::vector<vec4>& plane, float weight) {
+  for_pixels(sums.depth.size(), [&](std::size_t i) { sums.transmittance[i] = vec3(weight); });
   tbb::parallel_for(0, box.size.y, [&](int y) {
     const vec4* from = plane.data() + std::size_t(y) * box.size.x;
     const std::size_t first = std::size_t(box.first.y + y) * width + box.first.x;
@@ -47,14 +47,24 @@ void add_plane(std::vector<vec3>& layer, int width, PixelBox box, const std::vec
   });
 }
 
-Frame resolve(FrameSums sums, const SceneSnapshot& scene, int passes) {
+void add_passes(FrameSums& sums, const FrameSums& more) {
+  const auto add = [](std::vector<vec3>& to, const std::vector<vec3>& from) {
+    for_pixels(to.size(), [&](std::size_t i) { to[i] += from[i]; });
+  };
+  add(sums.transmittance, more.transmittance);
+  add(sums.ambient, more.ambient);
+  add(sums.emission, more.emission);
+  for (std::size_t l = 0; l < sums.lights.size(); ++l) add(sums.lights[l], more.lights[l]);
+}
+
+Frame resolve(FrameSums sums, const SceneSnapshot& scene, float weight) {
   const std::size_t pixels = sums.depth.size();
   Frame frame;
   frame.width = scene.width;
   frame.height = scene.height;
   frame.beauty.resize(pixels);
   frame.background.resize(pixels);
-  const float share = 1.0f / float(passes);
+  const float share = 1.0f / weight;
   for_pixels(pixels, [&](std::size_t i) {
     const auto mean = [&](vec3& sum, vec3 factor) {
       sum *= factor * share;

@@ -1,5 +1,6 @@
 // One jittered pass of the view march, added to what earlier passes gathered: see core/shared/view_march.h.
 #include "viewport/passes/scene_access.glsl"
+#include "core/shared/pass_weight.h"
 #include "core/shared/view_march.h"
 
 layout(local_size_x = 16, local_size_y = 16) in;
@@ -37,8 +38,9 @@ void main() {
   ViewControls controls = view_controls(pixel, u_frame.z, u_controls.x, u_controls.y, u_controls.z);
   ViewResult result = march_view(scene, u_origin.xyz, direction, u_origin.w, controls);
 
-  add_plane(pixel, 0, vec4(result.transmittance, result.depth));
-  if (PLANE_AMBIENT >= 0) add_plane(pixel, PLANE_AMBIENT, vec4(result.ambient, 0.0));
-  if (PLANE_EMISSION >= 0) add_plane(pixel, PLANE_EMISSION, vec4(result.emission, 0.0));
-  FOR_LIGHTS add_plane(pixel, PLANE_LIGHTS + l, vec4(result.light[l], 0.0));
+  float weight = pass_weight(u_frame.z);
+  add_plane(pixel, 0, vec4(weight * result.transmittance, result.depth));
+  if (PLANE_AMBIENT >= 0) add_plane(pixel, PLANE_AMBIENT, vec4(weight * result.ambient, 0.0));
+  if (PLANE_EMISSION >= 0) add_plane(pixel, PLANE_EMISSION, vec4(weight * result.emission, 0.0));
+  FOR_LIGHTS add_plane(pixel, PLANE_LIGHTS + l, vec4(weight * result.light[l], 0.0));
 }
