@@ -95,7 +95,7 @@ dmat4 turn(double degrees, const dvec3& pivot) {
   return there * rotation_xyz({0.0, degrees, 0.0}) * back;
 }
 
-nlohmann::ordered_json measure_swim(const SceneSnapshot& scene, const std::vector<SwimQuality>& qualities,
+nlohmann::ordered_json measure_swim(const SceneSnapshot& scene, const std::vector<BenchQuality>& qualities,
                                     const SwimOptions& options, const std::function<bool(double)>& progress) {
   const double jobs = 2.0 * options.frames * double(qualities.size() + 1);
   double job = 0.0;
@@ -115,7 +115,7 @@ nlohmann::ordered_json measure_swim(const SceneSnapshot& scene, const std::vecto
   for (const bool orbit : {true, false}) {
     std::vector<SceneSnapshot> frames = movement(scene, orbit, options);
     const std::vector<Frame> truths = render(*reference, frames);
-    for (const SwimQuality& one : qualities) {
+    for (const BenchQuality& one : qualities) {
       std::unique_ptr<Renderer>& renderer = renderers[one.renderer];
       if (!renderer) renderer = make_renderer(one.renderer);
       for (SceneSnapshot& frame : frames) frame.quality = one.quality;

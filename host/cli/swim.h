@@ -15,7 +15,8 @@ namespace plinian::cli {
 /// The world turned about the vertical axis through `pivot`. degrees: to the right, seen from above.
 dmat4 turn(double degrees, const dvec3& pivot);
 
-struct SwimQuality {
+/// Who takes part in a measurement.
+struct BenchQuality {
   std::string renderer, name;  // as in bench's report
   Quality quality;
 };
@@ -33,7 +34,7 @@ struct SwimOptions {
 /// step_over_error [-], the ratio of the two root mean squares: 1.41 where errors of successive frames have
 /// nothing to do with each other, near 0 where they stay. Pixels count where either reference's alpha is over
 /// 0.01. Throws RenderCancelled where `progress` returns false.
-nlohmann::ordered_json measure_swim(const SceneSnapshot& scene, const std::vector<SwimQuality>& qualities,
+nlohmann::ordered_json measure_swim(const SceneSnapshot& scene, const std::vector<BenchQuality>& qualities,
                                     const SwimOptions& options, const std::function<bool(double)>& progress);
 
 }  // namespace plinian::cli
