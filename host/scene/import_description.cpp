@@ -13,6 +13,7 @@
 #include "core/scene/scene_parameters.h"
 #include "host/graph/graph_error.h"
 #include "host/nodes/read_facts.h"
+#include "host/scene/sequence_setup.h"
 #include "host/scene/snapshot.h"
 #include "host/sdk/volume_table.h"
 
@@ -61,7 +62,8 @@ class Importer {
     if (options_.nodes_made) options_.nodes_made();
     fill_media();
     if (options_.media_only) return report();
-    const SceneBounds bounds = scene_bounds(media_);
+    to_show_.insert(to_show_.begin(), media_.begin(), media_.end());
+    const SceneBounds bounds = scene_bounds(to_show_);
     const ivec2 size = description_.size.value_or(ivec2(512));
     const Camera camera = make_camera(description_, bounds, size, told_);
     fill_camera(camera);
@@ -199,39 +201,45 @@ class Importer {
       const MediumNodes& nodes = medium_nodes_[i];
       const MediumDescription& d = description_.media[i];
       share_ = double(i) / double(medium_nodes_.size());
-      std::shared_ptr<const BrickVolume> volume;
-      VdbFacts facts;
-      if (!nodes.source.empty()) volume = read_volume(nodes);
+      SequenceSetup setup;
+      if (!nodes.frames.empty())
+        setup = read_sequence(nodes);
+      else if (!nodes.source.empty())
+        setup.volume = sdk::volume_in(evaluate(nodes.source + ".volume"));
       if (medium_source(d) == MediumSource::file) {
-        const auto data = std::get<graph::DataPtr>(evaluate(nodes.source + ".facts"));
-        facts = *static_cast<const VdbFacts*>(data->object.get());
-        const VdbOrientation space = medium_orientation(d, facts);
+        if (nodes.frames.empty()) setup.facts = read_facts(nodes);
+        const VdbOrientation space = medium_orientation(d, setup.facts);
         set_word(nodes.source + ".up_axis", std::string(1, space.up_axis));
         set(nodes.source + ".file_unit", space.file_unit);
       }
-      media_.push_back(finish_medium(d, std::move(volume), &facts, told_));
+      media_.push_back(finish_medium(d, std::move(setup.volume), &setup.facts, told_));
+      for (const auto& volume : setup.others) {
+        to_show_.push_back(media_.back());
+        to_show_.back().volume = volume;
+      }
       fill_medium(nodes.medium, d, media_.back());
     }
   }
 
-  // The volume to set the scene up by: of a sequence, the first frame that shows anything.
-  std::shared_ptr<const BrickVolume> read_volume(const MediumNodes& nodes) {
-    const std::string plug = nodes.source + ".volume";
-    if (nodes.frames.empty()) return sdk::volume_in(evaluate(plug));
-    std::shared_ptr<const BrickVolume> volume;
-    for (const int frame : nodes.frames) {
+  VdbFacts read_facts(const MediumNodes& nodes) {
+    const auto data = std::get<graph::DataPtr>(evaluate(nodes.source + ".facts"));
+    return *static_cast<const VdbFacts*>(data->object.get());
+  }
+
+  // Where a camera has to be placed it has to show more of a sequence than one frame.
+  bool places_camera() const {
+    const CameraDescription& camera = description_.camera;
+    return !options_.media_only && !camera.eye && !camera.translate && !camera.rotate;
+  }
+
+  SequenceSetup read_sequence(const MediumNodes& nodes) {
+    SequenceSetup setup = set_up_sequence(nodes.frames, places_camera(), [&](int frame) -> SequenceFrame {
       command("currentTime " + std::to_string(frame));
-      volume = sdk::volume_in(evaluate(plug));
-      if (volume->empty()) continue;
-      told_.notes.push_back(
-          fmt::format("{} frames, {} to {}; set up by frame {}{}", nodes.frames.size(), nodes.frames.front(),
-                      nodes.frames.back(), frame,
-                      frame == nodes.frames.front() ? "" : ", the first that shows anything"));
-      return volume;
-    }
-    command("currentTime " + std::to_string(nodes.frames.front()));
-    told_.warnings.push_back("none of the sequence's frames shows anything");
-    return sdk::volume_in(evaluate(plug));
+      return {sdk::volume_in(evaluate(nodes.source + ".volume")), read_facts(nodes)};
+    });
+    if (!setup.note.empty()) told_.notes.push_back(setup.note);
+    if (!setup.warning.empty()) told_.warnings.push_back(setup.warning);
+    return setup;
   }
 
   graph::Value evaluate(const std::string& name) {
@@ -320,6 +328,7 @@ class Importer {
   std::vector<std::string> made_;
   std::vector<std::string> light_nodes_;
   std::vector<Medium> media_;
+  std::vector<Medium> to_show_;  // in the picture, by a camera that is placed: media_, and at other frames
   LoadedScene told_;
   double share_ = 0.0;  // of the media that have been read
 };

@@ -34,8 +34,8 @@ struct ImportReport {
 };
 
 /// Makes the nodes by commands, and fills in what the description leaves open (scale, camera, lights,
-/// exposures), once for all frames of a sequence: from its first frame with any density, which becomes the
-/// current time. Throws std::runtime_error (one line), SceneLoadCancelled.
+/// exposures), once for all frames of a sequence (sequence_setup.h): from its first frame with any density,
+/// which becomes the current time. Throws std::runtime_error (one line), SceneLoadCancelled.
 ImportReport import_description(graph::Session& session, const SceneDescription& description,
                                 const ImportOptions& options = {});
 

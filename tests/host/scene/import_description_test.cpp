@@ -175,7 +175,9 @@ TEST(ImportDescription, ASequenceIsSetUpOnceByItsFirstFrameThatShowsAnything) {
   }
   TestWorkspace w;
   const ImportReport report = import_description(w.session(), describe_input(folder / "s.#.vdb"));
-  EXPECT_EQ(report.notes.front(), "3 frames, 1 to 3; set up by frame 2, the first that shows anything");
+  EXPECT_EQ(report.notes.front(),
+            "3 frames, 1 to 3; set up by frame 2, the first that shows anything; the camera shows frame 3 as "
+            "well");
   const SceneSnapshot second = w.snapshot();
   EXPECT_EQ(second.media[0].density_scale,
             load_scene(describe_input(folder / "s.2.vdb")).snapshot.media[0].density_scale);
@@ -186,6 +188,29 @@ TEST(ImportDescription, ASequenceIsSetUpOnceByItsFirstFrameThatShowsAnything) {
   EXPECT_EQ(third.camera.world_from_camera, second.camera.world_from_camera);
   w.run("currentTime 1");
   EXPECT_TRUE(w.snapshot().media[0].volume->empty());
+}
+
+TEST(ImportDescription, ASequenceThatGrowsStaysInThePicture) {
+  TemporaryFolder folder;
+  for (const int frame : {1, 2, 3, 4, 5}) {
+    BrickVolumeBuilder builder;
+    const std::vector<float> voxels(BrickVolumeBuilder::block_voxels, 1.0f);
+    for (int y = 0; y < frame; ++y) builder.add({0, y, 0}, voxels.data());
+    write_vdb(folder / ("s." + std::to_string(frame) + ".vdb"), builder.build(dmat4(1.0)));
+  }
+  TestWorkspace w;
+  import_description(w.session(), describe_input(folder / "s.#.vdb"));
+  EXPECT_EQ(w.run("currentTime"), "1");
+  for (const int frame : {1, 3, 5}) {
+    w.run("currentTime " + std::to_string(frame));
+    const SceneSnapshot s = w.snapshot();
+    const CameraRays rays = camera_rays(s.camera, s.width, s.height);
+    for (const dvec3& point : scene_bounds(s.media).outline) {
+      const dvec4 seen = glm::inverse(s.camera.world_from_camera) * dvec4(point, 1.0);
+      EXPECT_LT(std::abs(seen.x / seen.z), rays.right.x) << frame;
+      EXPECT_LT(std::abs(seen.y / seen.z), rays.up.y) << frame;
+    }
+  }
 }
 
 TEST(ImportDescription, BadInputIsRefusedBeforeAnythingIsMade) {
