@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <stdexcept>
 
+#include "core/media/frame_sequence.h"
 #include "core/scene/nearest_word.h"
 #include "core/scene/preset.h"
 #include "core/scene/quality_parameters.h"
@@ -16,10 +18,14 @@
 #include "host/cli/console.h"
 #include "host/cli/progress.h"
 #include "host/graph/graph_error.h"
+#include "host/graph/model/conversion.h"
+#include "host/graph/values/file_path.h"
 #include "host/scene/import_description.h"
 #include "host/scene/quality_set.h"
 
 namespace plinian::cli {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -129,17 +135,29 @@ void import_input(PreparedScene& scene, const SceneArguments& arguments) {
   scene.seed = report.seed;
 }
 
-// What is shown in place of frames that are missing.
+std::vector<const graph::Node*> readers_of(const graph::Graph& graph) {
+  std::vector<const graph::Node*> readers;
+  for (const graph::Node* node : graph.nodes())
+    if (node->type->name() == "volumeRead" && !node->type->is_unknown()) readers.push_back(node);
+  return readers;
+}
+
+// An output's value; empty where it failed.
+std::optional<graph::Value> output_of(graph::Session& session, const graph::Node& node, const char* output) {
+  const graph::ResultPtr result = session.evaluator().evaluate(session.graph().plug(node, output));
+  return result->error ? std::nullopt : std::optional(result->value);
+}
+
+// What is shown in place of frames that are missing; once, where it is the same for many.
 void tell_badges(PreparedScene& scene) {
   graph::Session& session = scene.workspace->session();
-  for (const graph::Node* node : session.graph().nodes()) {
-    if (node->type->name() != "volumeRead" || node->type->is_unknown()) continue;
-    const graph::Plug badge = session.graph().plug(*node, "badge");
-    const graph::ResultPtr result = session.evaluator().evaluate(badge);
-    const auto* text = result->error ? nullptr : std::get_if<std::string>(&result->value);
-    if (!text || text->empty()) continue;
-    scene.warnings.push_back(node->name + ": " + *text);
-    warn(scene.warnings.back());
+  for (const graph::Node* node : readers_of(session.graph())) {
+    const auto badge = output_of(session, *node, "badge");
+    if (!badge || std::get<std::string>(*badge).empty()) continue;
+    const std::string line = node->name + ": " + std::get<std::string>(*badge);
+    if (std::find(scene.warnings.begin(), scene.warnings.end(), line) != scene.warnings.end()) continue;
+    scene.warnings.push_back(line);
+    warn(line);
   }
 }
 
@@ -168,6 +186,23 @@ void apply_edit(scene::Workspace& workspace, const SceneEdit& edit) {
                          : "setAttr " + edit.key + " " + words);
   } catch (const graph::GraphError& error) {
     throw std::runtime_error(edit.where + ": " + error.what());
+  }
+}
+
+void tell_shown_frames(PreparedScene& scene) {
+  graph::Session& session = scene.workspace->session();
+  for (const graph::Node* node : readers_of(session.graph())) {
+    const std::string file = graph::expand_path(
+        std::get<std::string>(node->value(node->schema->find("file"))), session.scene_folder());
+    const auto pattern = FramePattern::parse(file);
+    const auto frame = output_of(session, *node, "frame");
+    if (!pattern || fs::exists(file) || !frame) continue;
+    const std::vector<int> frames = pattern->frames_on_disk();
+    if (frames.empty()) continue;
+    scene.notes.push_back(fmt::format("{}: the picture is of frame {} (--frames {}-{} makes one of each)",
+                                      fs::path(file).filename().string(), graph::number_of(*frame),
+                                      frames.front(), frames.back()));
+    note(scene.notes.back());
   }
 }
 

@@ -27,6 +27,9 @@ PreparedScene prepare_scene(const SceneArguments& arguments);
 /// std::runtime_error where a shape fails, SceneLoadCancelled.
 SceneSnapshot take_snapshot(PreparedScene& scene);
 
+/// Says which frame of each sequence the scene shows now, where only one is to be a picture.
+void tell_shown_frames(PreparedScene& scene);
+
 /// Sets NODE.ATTRIBUTE, or a key of the quality set that is on. value: numbers may be separated by commas.
 /// Throws std::runtime_error.
 void apply_edit(scene::Workspace& workspace, const SceneEdit& edit);

@@ -47,6 +47,7 @@ int run_once(const RenderArguments& arguments, const std::string& command_line) 
   for (const std::string& output : arguments.outputs) check_output(output, writing);
 
   PreparedScene scene = prepare_scene(arguments.scene);
+  tell_shown_frames(scene);
   std::vector<std::string> outputs = arguments.outputs;
   if (outputs.empty()) {
     outputs.push_back(default_output(arguments, scene));

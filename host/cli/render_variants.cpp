@@ -50,6 +50,7 @@ int run_variants(const RenderArguments& arguments) {
   check_output(arguments.sheet, writing);
 
   PreparedScene scene = prepare_scene(arguments.scene);
+  tell_shown_frames(scene);
   NamedRenderer chosen = choose_renderer(arguments.renderer, {.reference_tolerance = arguments.tolerance});
   const ViewTransform view(writing.view);
   std::vector<SheetPicture> pictures;

@@ -16,6 +16,8 @@
 // facts                what the file says of itself
 // frame                of the sequence, that is shown
 // badge                why something else is shown than what was asked for; empty: nothing to say
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -88,7 +90,20 @@ class Reader {
                               : source_frame(timing, context_.number(a_.time));
     const std::optional<int> frame = frame_in_range(timing, source);
     if (!frame) return blank("", int(std::clamp(std::floor(source), -1e9, 1e9)));
-    return read_frame(pattern, frames, *frame);
+    Shown shown = read_frame(pattern, frames, *frame);
+    if (shown.badge.empty()) shown.badge = held(timing, source);
+    return shown;
+  }
+
+  // Nobody should have to wonder why nothing moves.
+  static std::string held(const FrameTiming& timing, double source) {
+    const auto text = [](const char* side, double frame) {
+      return fmt::format("{} frame of the sequence, {:.0f}, which is held (before, after)", side, frame);
+    };
+    if (source < timing.start && timing.before == Beyond::hold) return text("before the first", timing.start);
+    if (std::floor(source) > timing.end && timing.after == Beyond::hold)
+      return text("behind the last", timing.end);
+    return "";
   }
 
   Shown read_frame(const FramePattern& pattern, const std::vector<int>& frames, int frame) {

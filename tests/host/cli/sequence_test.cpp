@@ -84,6 +84,22 @@ TEST_F(Frames, WithoutARangeTheFirstFrameThatShowsAnythingIsThePicture) {
                            "16x16", "--passes", "1", "--set", "map.resolution=32"});
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_TRUE(fs::exists(folder_ / "smoke_000002.png")) << ended.err;
+  EXPECT_NE(ended.err.find("smoke_00000#.vdb: the picture is of frame 2 (--frames 1-3 makes one of each)"),
+            std::string::npos)
+      << ended.err;
+}
+
+TEST_F(Program, FramesBeyondASequenceAreHeldAndToldOnce) {
+  ASSERT_EQ(run({"make", "ash", "-o", "a.1.vdb", "--resolution", "16"}).code, 0);
+  const Ended ended = run({"render", "a.#.vdb", "--frames", "1-3", "-o", "a.#.png", "--renderer", "cpu",
+                           "--size", "8x8", "--passes", "1", "--set", "map.resolution=16"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  const std::string line =
+      "warning: medium_file: behind the last frame of the sequence, 1, which is held (before, after)\n";
+  const std::size_t told = ended.err.find(line);
+  ASSERT_NE(told, std::string::npos) << ended.err;
+  EXPECT_GT(told, ended.err.find("a.1.png: cpu")) << "not before it is so";
+  EXPECT_EQ(ended.err.find("which is held", told + line.size()), std::string::npos) << ended.err;
 }
 
 TEST_F(Program, AMissingFrameIsToldOrRefused) {

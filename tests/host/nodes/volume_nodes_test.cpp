@@ -43,9 +43,16 @@ TEST_F(Sequence, ShowsTheFrameOfTheTimeAndHoldsItsEnds) {
   EXPECT_EQ(at(1), 1.0f);
   EXPECT_EQ(at(2), 2.0f);
   EXPECT_EQ(at(4), 4.0f);
+  EXPECT_EQ(s.run("getAttr r.badge"), "\"\"");
   EXPECT_EQ(at(-7), 1.0f);
+  EXPECT_EQ(s.run("getAttr r.badge"),
+            "\"before the first frame of the sequence, 1, which is held (before, after)\"");
   EXPECT_EQ(at(99), 4.0f);
   EXPECT_EQ(s.run("getAttr r.frame"), "4");
+  EXPECT_EQ(s.run("getAttr r.badge"),
+            "\"behind the last frame of the sequence, 4, which is held (before, after)\"");
+  s.run("setAttr r.after blank");
+  EXPECT_EQ(s.run("getAttr r.badge"), "\"\"");
 }
 
 TEST_F(Sequence, AMissingFrameIsBlankWithABadgeOrHeldOrAnError) {
