@@ -56,12 +56,18 @@ dmat4 rotation_xyz(const dvec3& degrees) {
 dvec3 angles_of(const dmat4& m) {
   // rotation_xyz is Z Y X, whose first column is (cy cz, cy sz, -sy).
   const double across = std::hypot(m[0].x, m[0].y);
-  const double y = std::atan2(-m[0].z, across);
   // Looking straight along x, x and z turn about the same line: all of it is given to x.
-  const bool locked = across < 1e-12;
-  const double x = locked ? std::atan2(-m[2].y, m[1].y) : std::atan2(m[1].z, m[2].z);
-  const double z = locked ? 0.0 : std::atan2(m[0].y, m[0].x);
-  return glm::degrees(dvec3(x, y, z));
+  if (across < 1e-12)
+    return glm::degrees(dvec3(std::atan2(-m[2].y, m[1].y), std::atan2(-m[0].z, across), 0.0));
+  // With a negative cosine of y the other two turn by half a turn more: what shows upright things upright
+  // is the one of these with the lesser z, where 150 60 180 is -30 120 0.
+  const auto with = [&](double sign) {
+    return glm::degrees(dvec3(std::atan2(sign * m[1].z, sign * m[2].z), std::atan2(-m[0].z, sign * across),
+                              std::atan2(sign * m[0].y, sign * m[0].x))) +
+           0.0;  // no -0
+  };
+  const dvec3 plain = with(1.0), other = with(-1.0);
+  return std::abs(other.z) < std::abs(plain.z) ? other : plain;
 }
 
 dvec3 angles_toward(const dvec3& direction) {

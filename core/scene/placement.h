@@ -29,7 +29,7 @@ dmat4 matrix_of(const Placement& placement);
 dmat4 rotation_xyz(const dvec3& degrees);
 
 /// Angles [degrees] that rotation_xyz makes that rotation of. rotation: orthonormal, right-handed; its
-/// translation is ignored.
+/// translation is ignored. Of the two ways to say it, the one that turns less about z.
 dvec3 angles_of(const dmat4& rotation);
 
 /// Angles [degrees] about x and y that turn +z to the direction. direction: not 0.

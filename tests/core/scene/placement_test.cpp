@@ -46,6 +46,17 @@ TEST(Placement, AnglesOfARotationMakeItAgain) {
   }
 }
 
+TEST(Placement, ACameraThatStandsUprightHasNoAngleAboutZWhereverItLooks) {
+  for (const double y : {0.0, 30.0, 120.0, 180.0, -150.0, -91.0})
+    for (const double x : {-60.0, 0.0, 12.0}) {
+      const dvec3 angles = angles_of(rotation_xyz({x, y, 0.0}));
+      EXPECT_NEAR(angles.x, x, 1e-12) << y;
+      EXPECT_NEAR(std::remainder(angles.y - y, 360.0), 0.0, 1e-12) << x;
+      EXPECT_NEAR(angles.z, 0.0, 1e-12) << x << " " << y;
+    }
+  EXPECT_NEAR(glm::length(angles_of(rotation_xyz({150, 60, 180})) - dvec3(-30, 120, 0)), 0.0, 1e-12);
+}
+
 TEST(Placement, AnglesTowardADirectionTurnZThere) {
   for (const dvec3 direction : {dvec3(0, 1, 0), dvec3(0, -1, 0), dvec3(0, 0, -1), dvec3(0.48, 0.6, -0.64)})
     EXPECT_NEAR(glm::length(dvec3(rotation_xyz(angles_toward(direction)) * dvec4(0, 0, 1, 0)) - direction),
