@@ -40,6 +40,22 @@ TEST(ContactSheet, LabelsAreWrittenUnderThePictures) {
   EXPECT_TRUE(std::equal(plain.rgb.begin(), plain.rgb.begin() + 3 * 24 * plain.width, sheet.rgb.begin()));
 }
 
+TEST(ContactSheet, ALabelThatIsTooWideTakesAsManyLinesAsItNeeds) {
+  const std::string label = "albedo 0.3, emission_exposure 2, colour 1 0.2 0.3";
+  const SheetPicture one = contact_sheet({flat(600, 20, 0, label)}, 1, 4);
+  if (one.height == 28) GTEST_SKIP() << "no font that OpenImageIO finds on this system";
+  const SheetPicture many = contact_sheet({flat(128, 20, 0, label)}, 1, 4);
+  EXPECT_EQ(many.height - one.height, 4 * 22) << "at most 13 letters a line";
+  // Nothing is lost: there is as much ink.
+  const auto ink = [](const SheetPicture& sheet) {
+    double sum = 0.0;
+    for (int y = 24; y < sheet.height; ++y)
+      for (int x = 0; x < sheet.width; ++x) sum += at(sheet, x, y) - 43.0;
+    return sum;
+  };
+  EXPECT_NEAR(ink(many) / ink(one), 1.0, 0.1);
+}
+
 TEST(ContactSheet, APictureIsShownThroughItsView) {
   ViewSettings settings;
   settings.view = View::srgb;
