@@ -95,6 +95,13 @@ Image read_image(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) throw ImageError(path + ": no such file");
   if (!std::filesystem::is_regular_file(path, error)) throw ImageError(path + ": is not a plain file");
+  const auto refuse = [&](const char* extension, const char* what) {
+    if (path.ends_with(extension))
+      throw ImageError(path + ": is " + what + ", not a picture: render it first");
+  };
+  refuse(".plinian", "a scene");
+  refuse(".json", "a scene");
+  refuse(".vdb", "a volume");
   const PictureFile file = image_files().read(path);
   const std::size_t channels = file.channels.size();
   Image image;

@@ -86,7 +86,8 @@ Run set_up_compare(CLI::App& app) {
       ->type_name("FILE.html");
   app.add_option("--fail-under", arguments->limits, "exit with 1 unless the figures keep to these limits")
       ->type_name("psnr=35,ssim=0.97");
-  app.add_option("--view", arguments->view, "of the pictures in the report: srgb, filmic, ocio")
+  app.add_option("--view", arguments->view,
+                 "of the pictures in the report, not of the figures: srgb, filmic, ocio")
       ->type_name("VIEW")
       ->capture_default_str();
   app.add_flag("--json", arguments->json, "figures on standard output, for scripts");

@@ -172,6 +172,9 @@ TEST_F(BadInput, ComparingWhatCannotBeCompared) {
   folder_.write("text.exr", "no picture");
   EXPECT_SAYS(error_of({"compare", "text.exr", "text.exr"}), "text.exr");
   EXPECT_SAYS(error_of({"compare", "nowhere.exr", "text.exr"}), "nowhere.exr");
+  folder_.write("a.plinian", "plinian scene 1.0\nend\n");
+  EXPECT_SAYS(error_of({"compare", "a.plinian", "text.exr"}),
+              "a.plinian: is a scene, not a picture: render it first");
   EXPECT_SAYS(error_of({"compare", "text.exr", "text.exr", "--fail-under", "beauty=1"}), "beauty");
 }
 
