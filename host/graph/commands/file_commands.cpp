@@ -1,4 +1,6 @@
 // newScene, open, save, import, export.
+#include <filesystem>
+
 #include "core/files/atomic_file.h"
 #include "host/graph/commands/session.h"
 #include "host/graph/edits/editor.h"
@@ -50,8 +52,9 @@ CommandResult export_nodes(Session& session, const Arguments& arguments) {
     return type->export_file(session, arguments);
   }
   try {
-    save_scene(arguments.text("file"),
-               write_scene(session.graph(), nodes_or_selection(session, arguments.texts("nodes"))));
+    const std::string file = arguments.text("file");
+    save_scene(file, write_scene(session.graph(), nodes_or_selection(session, arguments.texts("nodes")),
+                                 std::filesystem::absolute(file).lexically_normal().parent_path()));
   } catch (const FileError& error) {
     throw GraphError(std::string("export: ") + error.what());
   }

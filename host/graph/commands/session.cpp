@@ -141,7 +141,7 @@ void Session::save_scene(const std::string& path) {
                      " was made by a newer version and is read-only here: save it under another name");
   tell(SceneMoment::before_save, target);
   try {
-    graph::save_scene(target, write_scene(graph_));
+    graph::save_scene(target, write_scene(graph_, std::filesystem::path(target).parent_path()));
   } catch (const FileError& error) {
     throw GraphError(std::string("save: ") + error.what());
   }

@@ -7,16 +7,21 @@
 
 #include "core/files/atomic_file.h"
 #include "host/graph/files/attribute_declaration.h"
+#include "host/graph/values/file_path.h"
 
 namespace plinian::graph {
 
 namespace {
 
-std::string value_line(const Graph& graph, const Node& node, const StoredValue& stored) {
+std::string value_line(const Graph& graph, const Node& node, const StoredValue& stored,
+                       const std::filesystem::path& folder) {
   const SchemaAttribute& attribute = (*node.schema)[stored.attribute];
   std::string line = "  .";
   line += Graph::path_of(*node.schema, {node.id, stored.attribute, stored.element, -1});
-  const std::string text = write_value(attribute.spec, stored.value, graph.names());
+  const bool path = attribute.spec.type == AttributeType::path && !folder.empty();
+  const std::string text = write_value(
+      attribute.spec, path ? path_from(std::get<std::string>(stored.value), folder) : stored.value,
+      graph.names());
   if (!text.empty()) line += " " + text;
   // Data whose type is not registered.
   if (text.empty() && attribute.spec.type == AttributeType::data) return "";
@@ -36,7 +41,8 @@ void add_kept_line(const Graph& graph, const KeptLine& kept, std::vector<std::st
 
 }  // namespace
 
-std::vector<std::string> node_lines(const Graph& graph, const Node& node) {
+std::vector<std::string> node_lines(const Graph& graph, const Node& node,
+                                    const std::filesystem::path& folder) {
   std::vector<std::string> lines;
   const Schema& schema = *node.schema;
   for (const AttributeIndex index : schema.top())
@@ -57,7 +63,8 @@ std::vector<std::string> node_lines(const Graph& graph, const Node& node) {
     const AttributeSpec& spec = schema[stored.attribute].spec;
     if (!spec.storable) continue;
     add_inputs_before(stored.attribute, stored.element);
-    if (std::string line = value_line(graph, node, stored); !line.empty()) lines.push_back(std::move(line));
+    if (std::string line = value_line(graph, node, stored, folder); !line.empty())
+      lines.push_back(std::move(line));
   }
   add_inputs_before(schema.size(), 0);
   for (const Plug& plug : node.locked) lines.push_back("  lock ." + Graph::path_of(schema, plug));
@@ -82,7 +89,8 @@ std::vector<std::string> type_lines(const NodeType& type) {
 
 namespace {
 
-std::string scene_text(const Graph& graph, const std::vector<const Node*>& nodes) {
+std::string scene_text(const Graph& graph, const std::vector<const Node*>& nodes,
+                       const std::filesystem::path& folder) {
   std::map<std::string, NodeTypePtr> types;
   for (const Node* node : nodes) types.emplace(node->type->name(), node->type);
   const auto kept_of = [&](const std::string& type) -> const KeptType* {
@@ -121,7 +129,7 @@ std::string scene_text(const Graph& graph, const std::vector<const Node*>& nodes
     text += node->name;
     if (node->parent) (text += " under ") += graph.find(node->parent)->name;
     text += '\n';
-    for (const std::string& line : node_lines(graph, *node)) add_line(line);
+    for (const std::string& line : node_lines(graph, *node, folder)) add_line(line);
   }
   for (const auto& [name, section] : sections) {
     std::string line = "type " + name + " " + std::to_string(section.version);
@@ -135,11 +143,12 @@ std::string scene_text(const Graph& graph, const std::vector<const Node*>& nodes
 
 }  // namespace
 
-std::string write_scene(const Graph& graph) {
-  return scene_text(graph, graph.nodes());
+std::string write_scene(const Graph& graph, const std::filesystem::path& folder) {
+  return scene_text(graph, graph.nodes(), folder);
 }
 
-std::string write_scene(const Graph& graph, const std::vector<NodeId>& ids) {
+std::string write_scene(const Graph& graph, const std::vector<NodeId>& ids,
+                        const std::filesystem::path& folder) {
   const std::unordered_set<NodeId> wanted(ids.begin(), ids.end());
   // What the others drive is cut off in copies of the nodes.
   std::vector<Node> copies;
@@ -153,7 +162,7 @@ std::string write_scene(const Graph& graph, const std::vector<NodeId>& ids) {
     if (!wanted.contains(node.parent)) node.parent = {};
     nodes.push_back(&node);
   }
-  return scene_text(graph, nodes);
+  return scene_text(graph, nodes, folder);
 }
 
 void save_scene(const std::string& path, const std::string& text) {

@@ -17,6 +17,7 @@
 // out: selection, time and view, which are no part of a scene.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -26,14 +27,18 @@ namespace plinian::graph {
 
 inline constexpr int scene_major_version = 1, scene_minor_version = 0;
 
-/// The text of the whole scene; the same graph gives the same text, whatever was done to get there.
-std::string write_scene(const Graph& graph);
+/// The text of the whole scene; the same graph gives the same text, whatever was done to get there. folder:
+/// where the scene goes; paths of what lies in it or under it are written relative to it, so that it may be
+/// moved as a whole. Empty: paths are written as they are.
+std::string write_scene(const Graph& graph, const std::filesystem::path& folder = {});
 
 /// As above with only some nodes; connections from others are left out.
-std::string write_scene(const Graph& graph, const std::vector<NodeId>& nodes);
+std::string write_scene(const Graph& graph, const std::vector<NodeId>& nodes,
+                        const std::filesystem::path& folder = {});
 
 /// What stands under a node's own line, without line ends.
-std::vector<std::string> node_lines(const Graph& graph, const Node& node);
+std::vector<std::string> node_lines(const Graph& graph, const Node& node,
+                                    const std::filesystem::path& folder = {});
 
 /// What stands under a type's own line: the default of everything that scenes store.
 std::vector<std::string> type_lines(const NodeType& type);

@@ -48,4 +48,14 @@ std::string expand_path(const std::string& typed, const std::filesystem::path& f
   return (result.is_absolute() ? result : folder / result).lexically_normal().string();
 }
 
+std::string path_from(const std::string& typed, const std::filesystem::path& folder) {
+  const std::filesystem::path path(typed);
+  if (!path.is_absolute()) return typed;
+  const std::filesystem::path relative =
+      path.lexically_normal().lexically_relative((folder / "").lexically_normal());
+  if (relative.empty() || relative == "." || *relative.begin() == "..") return typed;
+  // A name of a file that begins like somebody's home.
+  return relative.string().front() == '~' ? "./" + relative.string() : relative.string();
+}
+
 }  // namespace plinian::graph

@@ -10,4 +10,8 @@ namespace plinian::graph {
 /// (empty: the current one). Throws GraphError, naming the variable, where one is not set.
 std::string expand_path(const std::string& typed, const std::filesystem::path& folder);
 
+/// The path as it is written in `folder`: relative to it where it is absolute and lies in it or under it,
+/// else as it is.
+std::string path_from(const std::string& typed, const std::filesystem::path& folder);
+
 }  // namespace plinian::graph
