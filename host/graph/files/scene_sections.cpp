@@ -2,6 +2,7 @@
 #include "host/graph/files/scene_sections.h"
 
 #include <charconv>
+#include <filesystem>
 
 #include "host/graph/edits/editor.h"
 #include "host/graph/files/scene_writer.h"
@@ -91,9 +92,13 @@ SceneSections read_sections(std::string_view text, const std::string& name) {
       fail("is no line of a scene: " + shown(line));
     }
   }
-  if (!ended)
+  if (!ended) {
+    std::error_code error;
+    const bool kept = std::filesystem::exists(name + ".bak", error);
     throw GraphError(name + ": ends too early, after line " + std::to_string(number) +
-                     ": the file was cut off (" + name + ".bak may hold the last whole scene)");
+                     ": the file was cut off" +
+                     (kept ? " (" + name + ".bak may hold the last whole scene)" : ""));
+  }
   return scene;
 }
 
