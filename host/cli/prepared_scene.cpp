@@ -21,6 +21,7 @@
 #include "host/graph/model/conversion.h"
 #include "host/graph/values/file_path.h"
 #include "host/scene/import_description.h"
+#include "host/scene/missing_types.h"
 #include "host/scene/quality_set.h"
 
 namespace plinian::cli {
@@ -92,7 +93,17 @@ void open_scene(PreparedScene& scene, const SceneArguments& arguments) {
   const bool foreign = arguments.preset != set;
   Preset preset;
   if (foreign) preset = load_preset(arguments.preset, preset_folders());
+  std::vector<std::string> warnings;
+  workspace.session().on_warning = [&](const std::string& line) { warnings.push_back(line); };
   workspace.session().open_scene(arguments.input);
+  workspace.session().on_warning = warn;
+  // A picture without a shape looks like one of another scene: nobody gets that who did not ask for it.
+  const std::string missing = scene::missing_types(workspace.session().graph());
+  if (!missing.empty() && !arguments.skip_unknown)
+    throw std::runtime_error(fmt::format(
+        "{}: {}{}: put it into a folder of $PLINIAN_PLUGIN_PATH, or leave it out with --skip-unknown",
+        arguments.input, missing, warnings.empty() ? "" : "; " + warnings.front()));
+  for (const std::string& line : warnings) warn(line);
   if (foreign) scene::write_quality(workspace.session(), set, preset.quality);
   for (const SceneEdit& edit : edits_of(arguments)) apply_edit(workspace, edit);
 }

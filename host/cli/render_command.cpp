@@ -6,6 +6,7 @@
 
 #include "host/cli/picture.h"
 #include "host/graph/graph_error.h"
+#include "host/scene/missing_types.h"
 
 namespace plinian::cli {
 
@@ -25,6 +26,13 @@ graph::CommandResult render(scene::Workspace& workspace, Kept& kept, const graph
     throw graph::GraphError("render: -passes expects an integer from 1 to 65536");
   if (arguments.pixels != "half" && arguments.pixels != "float")
     throw graph::GraphError("render: -pixels expects half or float");
+  const std::string missing = scene::missing_types(workspace.session().graph());
+  if (!missing.empty() && !words.has("skip_unknown"))
+    throw graph::GraphError("render: " + missing +
+                            ": load it with loadPlugin, or leave it out with "
+                            "-skip_unknown");
+  scene::SceneView view = workspace.view();
+  if (words.has("size")) view.size = parse_size(words.text("size"), "-size");
   const WriteOptions writing = write_options(arguments);
   const std::string output = words.text("file");
   check_output(output, writing);
@@ -33,8 +41,9 @@ graph::CommandResult render(scene::Workspace& workspace, Kept& kept, const graph
     kept.renderer = choose_renderer(wanted);
     kept.wanted = wanted;
   }
-  const scene::BuiltSnapshot built = build_snapshot(workspace.session(), workspace.view());
+  const scene::BuiltSnapshot built = build_snapshot(workspace.session(), view);
   if (!built.problems.empty()) throw graph::GraphError("render: " + built.problems.front());
+  for (const std::string& line : built.notes) workspace.session().note(line);
   const Picture picture = make_picture(kept.renderer, built.snapshot, arguments, "", "rendering");
   if (picture.cut_short) throw RenderCancelled();
   write_image(output, picture.image, writing);
@@ -53,7 +62,9 @@ void add_render_command(scene::Workspace& workspace) {
        .parameters = {{"file", path, ".exr or .png"}},
        .flags = {{"renderer", "auto, gl, cpu or reference (auto)", text},
                  {"passes", "exactly so many (as the quality set says)", integer},
-                 {"pixels", "of an EXR: half or float (half)", text}},
+                 {"pixels", "of an EXR: half or float (half)", text},
+                 {"size", "WIDTHxHEIGHT, such as 1280x720 (as renderSettings says, or 512x512)", text},
+                 {"skip_unknown", "leaves out nodes whose plug-ins are missing", {}}},
        .run = [&workspace, kept](graph::Session&, const graph::Arguments& words) -> graph::CommandResult {
          try {
            return render(workspace, *kept, words);

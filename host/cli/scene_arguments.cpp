@@ -121,6 +121,8 @@ void add_scene_arguments(CLI::App& app, SceneArguments& arguments, bool with_pre
          "NODE.ATTRIBUTE=VALUE; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  app.add_flag("--skip-unknown", arguments.skip_unknown,
+               "where a scene's plug-ins are missing, render what there is without them");
   app.add_flag_callback(
       "--help-quality",
       [] {
@@ -178,7 +180,7 @@ std::string scene_help() {
   return text;
 }
 
-ivec2 parse_size(const std::string& text) {
+ivec2 parse_size(const std::string& text, const std::string& option) {
   ivec2 size(0);
   const char* const end = text.data() + text.size();
   const auto [middle, error] = std::from_chars(text.data(), end, size.x);
@@ -189,7 +191,7 @@ ivec2 parse_size(const std::string& text) {
       return size;
   }
   throw std::runtime_error(
-      fmt::format("--size {}: expected WIDTHxHEIGHT in pixels from 1 to 32768, such as 1280x720", text));
+      fmt::format("{} {}: expected WIDTHxHEIGHT in pixels from 1 to 32768, such as 1280x720", option, text));
 }
 
 std::uint64_t parse_bytes(const std::string& text, const std::string& option) {

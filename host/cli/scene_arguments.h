@@ -23,6 +23,7 @@ struct SceneArguments {
                                                             // "--grid" and its value
   double vdb_time_limit_s = 0.0;
   std::string vdb_memory_limit;  // "2G"
+  bool skip_unknown = false;     // nodes of plug-ins that are missing are left out
   std::string save_as;           // where the scene goes, .plinian; empty: nowhere
 };
 
@@ -48,8 +49,8 @@ Quality prepare_quality(const SceneArguments& arguments, const std::string& pres
 std::string quality_help();
 std::string scene_help();
 
-/// "512x256". Throws std::runtime_error.
-ivec2 parse_size(const std::string& text);
+/// "512x256". Throws std::runtime_error that names the option.
+ivec2 parse_size(const std::string& text, const std::string& option = "--size");
 /// "512M", "2G", "1000000". Throws std::runtime_error that names the option.
 std::uint64_t parse_bytes(const std::string& text, const std::string& option);
 

@@ -30,6 +30,34 @@ TEST_F(Program, ASavedSceneGivesThePictureThatItsInputGave) {
   }
 }
 
+TEST_F(Program, ASceneMovesWithTheVolumesThatLieBesideIt) {
+  fs::create_directories(folder_ / "shot/vdb");
+  fs::create_directories(folder_ / "elsewhere");
+  ASSERT_EQ(run({"make", "ash", "-o", "shot/vdb/ash.vdb", "--resolution", "16"}).code, 0);
+  render({"shot/vdb/ash.vdb", "-o", "a.exr", "--save-scene", "shot/a.plinian"});
+  render({"shot/vdb/ash.vdb", "-o", "b.exr", "--save-scene", "elsewhere/b.plinian"});
+  const auto holds = [&](const std::string& name, const std::string& text) {
+    std::ifstream file(folder_ / name, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(file), {}).find(text) != std::string::npos;
+  };
+  EXPECT_TRUE(holds("shot/a.plinian", "  .file \"vdb/ash.vdb\"\n"));
+  EXPECT_TRUE(holds("elsewhere/b.plinian", "  .file \"" + folder_ / "shot/vdb/ash.vdb" + "\"\n"));
+  fs::rename(folder_ / "shot", folder_ / "moved");
+  const Ended ended =
+      run({"render", "moved/a.plinian", "-o", "c.exr", "--renderer", "cpu", "--samples", "1"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(pixels_of(picture("a.exr")), pixels_of(picture("c.exr")));
+}
+
+TEST_F(Program, ADamagedSceneNamesTheOneBeforeItWhereItIsThere) {
+  folder_.write("a.plinian", "plinian scene 1.0\nnode time time1\n");
+  const std::string cut = "plinian: error: a.plinian: ends too early, after line 2: the file was cut off";
+  EXPECT_EQ(run({"render", "a.plinian", "-o", "x.png"}).err, cut + "\n");
+  folder_.write("a.plinian.bak", "plinian scene 1.0\nend\n");
+  EXPECT_EQ(run({"render", "a.plinian", "-o", "x.png"}).err,
+            cut + " (a.plinian.bak may hold the last whole scene)\n");
+}
+
 TEST_F(Program, ALookIsPutOnAsAWholeOrRefused) {
   render({"sphere", "-o", "plain.exr"});
   render({"sphere", "-o", "ash.exr", "--set", "medium.look=ash"});
@@ -104,6 +132,27 @@ TEST_F(Program, WithoutThePluginASceneOpensSaysSoAndIsKeptByteForByte) {
   };
   EXPECT_NE(bytes("a.plinian"), "");
   EXPECT_EQ(bytes("a.plinian"), bytes("b.plinian"));
+  // A picture is of the whole scene, or of what there is where that is asked for.
+  const std::string says =
+      "1 node of the type 'atfmVolume' needs the plug-in 'atfm'; there is no plug-in 'atfm' in ";
+  const Ended refused = run({"render", "a.plinian", "-o", "n.png"}, without);
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_EQ(refused.error_lines(), 1) << refused.err;
+  EXPECT_TRUE(refused.err.starts_with("plinian: error: a.plinian: " + says)) << refused.err;
+  EXPECT_NE(refused.err.find("--skip-unknown"), std::string::npos) << refused.err;
+  EXPECT_FALSE(fs::exists(folder_ / "n.png"));
+  const Ended skipped =
+      run({"render", "a.plinian", "-o", "n.png", "--skip-unknown", "--renderer", "cpu"}, without);
+  EXPECT_EQ(skipped.code, 0) << skipped.err;
+  EXPECT_NE(skipped.err.find("it needs the plug-in atfm"), std::string::npos) << skipped.err;
+  EXPECT_TRUE(fs::exists(folder_ / "n.png"));
+  folder_.write("n.pln", "render n.png -renderer cpu\n");
+  const Ended script = run({"run", "n.pln", "a.plinian", "--quiet"}, without);
+  EXPECT_EQ(script.code, 1);
+  EXPECT_NE(script.err.find("n.pln:1: render: 1 node of the type 'atfmVolume'"), std::string::npos)
+      << script.err;
+  folder_.write("n.pln", "render n.png -renderer cpu -skip_unknown\n");
+  EXPECT_EQ(run({"run", "n.pln", "a.plinian", "--quiet"}, without).code, 0);
   // What needs the plug-in to be made fails in one line.
   const Ended bare = run({"render", "sphere", "-o", "b.png"}, without);
   EXPECT_EQ(bare.code, 1);
