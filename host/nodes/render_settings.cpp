@@ -69,9 +69,18 @@ void add_render_settings(sdk::Plugin& plugin) {
             .help = "The camera that is looked through; none: the first one there is.",
             .group = "Picture",
             .keyable = false});
+  type.add({.name = "default_lights",
+            .type = "bool",
+            .default_value = "true",
+            .help = "Where the scene has no light, a key, a rim and a dim sky stand in for them.",
+            .group = "Picture",
+            .keyable = false});
   type.add(
       quality_set("fast", "What the picture is made with while a hand is on the controls.", shipped_fast));
   type.add(quality_set("high", "What a picture to judge by is made with.", shipped_high));
+  // Scenes of version 1 were dark without lights.
+  type.version = 2;
+  type.migrate = [](int, sdk::Migration& migration) { migration.set("default_lights", "false"); };
   plugin.add(type);
 }
 

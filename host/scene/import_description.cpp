@@ -105,18 +105,26 @@ class Importer {
   }
 
   void make_nodes() {
-    if (!options_.media_only) make_settings();
+    make_settings();
     for (const MediumDescription& medium : description_.media) medium_nodes_.push_back(make_medium(medium));
     if (!options_.media_only) make_camera_and_lights();
   }
 
+  // There is one of it in a scene; a volume that comes alone finds one or brings it, for there to be
+  // something to set the size of a picture by.
   void make_settings() {
-    const std::string settings = create("renderSettings", "settings");
+    const graph::Node* there = first_of_type(session_.graph(), "renderSettings");
+    if (options_.media_only) {
+      if (!there) command("createNode renderSettings -name settings");
+      return;
+    }
+    const std::string settings = there ? there->name : create("renderSettings", "settings");
     if (description_.size) {
       set_word(settings + ".width", std::to_string(description_.size->x));
       set_word(settings + ".height", std::to_string(description_.size->y));
     }
     set(settings + ".background", background_of(description_));
+    set_word(settings + ".default_lights", "false");  // a description says all that shines
   }
 
   void make_camera_and_lights() {

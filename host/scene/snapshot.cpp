@@ -6,6 +6,7 @@
 #include <cmath>
 #include <thread>
 
+#include "core/scene/default_lights.h"
 #include "core/scene/nearest_word.h"
 #include "core/scene/quality_parameters.h"
 #include "host/graph/graph_error.h"
@@ -65,6 +66,21 @@ std::vector<Plug> contributions(graph::Session& session, const SceneView& view) 
       plugs.push_back({node->id, output});
   }
   return plugs;
+}
+
+bool has_light_node(const graph::Graph& graph) {
+  for (const Node* node : graph.nodes())
+    for (const char* light : {"directionalLight", "spotLight", "pointLight", "ambientLight"})
+      if (node->type->name() == light) return true;
+  return false;
+}
+
+// What a bare volume on the command line is lit by. It stands still when the camera moves, so that looking
+// around costs no map.
+void add_default_lights(SceneSnapshot& snapshot) {
+  const Camera front = look_at(direction_from(default_azimuth, 0.0), dvec3(0.0), dvec3(0, 1, 0), 40.0);
+  snapshot.lights = {default_key(front), default_rim(front)};
+  snapshot.ambient = default_ambient;
 }
 
 NodeId chosen_camera(graph::Session& session, const SceneView& view) {
@@ -172,11 +188,20 @@ BuiltSnapshot build_snapshot(graph::Session& session, const SceneView& view) {
     for (const Light& light : shape->lights) snapshot.lights.push_back(placed_light(light, node.name, world));
     snapshot.ambient += shape->ambient;
   }
-  if (const Node* settings = first_of_type(graph, "renderSettings")) {
+  const Node* settings = first_of_type(graph, "renderSettings");
+  if (settings) {
     const auto side = [&](const char* name) { return int(placed.number(placed.plug(*settings, name))); };
     snapshot.width = side("width");
     snapshot.height = side("height");
     snapshot.background = std::get<vec3>(placed.value(placed.plug(*settings, "background")));
+  }
+  const bool wanted_dark = settings && placed.number(placed.plug(*settings, "default_lights")) == 0.0;
+  if (!wanted_dark && !snapshot.media.empty() && snapshot.lights.empty() && snapshot.ambient == vec3(0.0f) &&
+      !has_light_node(graph)) {
+    add_default_lights(snapshot);
+    built.notes.push_back(
+        "the scene has no lights: a key, a rim and a sky stand in for them "
+        "(default_lights of renderSettings)");
   }
   if (view.size) {
     snapshot.width = view.size->x;

@@ -29,5 +29,16 @@ TEST(RenderSettingsNode, ASetIsEditedAloneWithinItsRanges) {
   EXPECT_EQ(s.warnings.size(), 2u);
 }
 
+TEST(RenderSettingsNode, AnOlderSceneWithoutLightsStaysDark) {
+  TemporaryFolder folder;
+  folder.write(
+      "old.plinian",
+      "plinian scene 1.0\nnode renderSettings r\n  .width 99\ntype renderSettings 1\n  .width 512\nend\n");
+  NodeSession s;
+  s.run("open " + folder / "old.plinian");
+  EXPECT_EQ(s.run("getAttr r.default_lights\ngetAttr r.width"), "false\n99");
+  EXPECT_EQ(s.run("createNode renderSettings -name n\ngetAttr n.default_lights"), "n\ntrue");
+}
+
 }  // namespace
 }  // namespace plinian

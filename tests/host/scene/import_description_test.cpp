@@ -240,6 +240,7 @@ TEST(ImportCommand, AVolumeComesAloneAndANeutralSceneWithAllItHas) {
   EXPECT_EQ(w.run("import " + folder / "a.vdb"), "medium_place\nmedium\nmedium_file\nmedium_shape");
   EXPECT_EQ(notes.size(), 2u) << "orientation and density scale";
   EXPECT_EQ(w.run("ls -type camera"), "");
+  EXPECT_EQ(w.run("ls -type renderSettings"), "settings");
   EXPECT_EQ(w.run("import " + folder / "a.vdb" + " -namespace second\nls second:*"),
             "second:medium_place\nsecond:medium\nsecond:medium_file\nsecond:medium_shape\n"
             "second:medium_place\nsecond:medium\nsecond:medium_file\nsecond:medium_shape");
@@ -247,6 +248,7 @@ TEST(ImportCommand, AVolumeComesAloneAndANeutralSceneWithAllItHas) {
   const SceneSnapshot s = w.snapshot();
   EXPECT_EQ(s.media.size(), 3u);
   EXPECT_EQ(s.lights.size(), 1u);
+  EXPECT_EQ(w.run("ls -type renderSettings"), "settings") << "there is one of it";
   EXPECT_EQ(s.media[0].volume, s.media[1].volume) << "the same file is one volume";
   // One step of undo each.
   w.run("undo 3");

@@ -90,6 +90,30 @@ TEST(Snapshot, RenderSettingsSayTheCameraTheSizeAndTheQuality) {
             "there is no quality set 'higher' (did you mean 'high'?); there are: fast, high");
 }
 
+TEST(Snapshot, AMediumWithoutAnyLightIsLitAsABareVolumeIs) {
+  TestWorkspace w;
+  EXPECT_TRUE(w.snapshot().lights.empty()) << "there is nothing to light";
+  w.run("createNode atfmVolume -name a\nsetAttr a.draw sphere");
+  const BuiltSnapshot built = w.build();
+  ASSERT_EQ(built.snapshot.lights.size(), 2u);
+  EXPECT_EQ(built.snapshot.lights[0].name, "key");
+  EXPECT_EQ(built.snapshot.lights[1].name, "rim");
+  EXPECT_NE(built.snapshot.ambient, vec3(0.0f));
+  EXPECT_TRUE(std::any_of(built.notes.begin(), built.notes.end(),
+                          [](const std::string& note) { return note.find("the scene has no lights") == 0; }));
+  // Looking from elsewhere moves no light.
+  w.run("createNode camera -name c\nframeView -azimuth 200");
+  EXPECT_EQ(w.snapshot().lights[0].toward, built.snapshot.lights[0].toward);
+  // A light that is switched off is a decision, and so is the setting.
+  w.run("createNode pointLight -name p\nsetAttr p.visibility false");
+  EXPECT_TRUE(w.snapshot().lights.empty());
+  w.run("delete p\ncreateNode renderSettings -name r");
+  EXPECT_EQ(w.snapshot().lights.size(), 2u);
+  w.run("setAttr r.default_lights false");
+  EXPECT_TRUE(w.snapshot().lights.empty());
+  EXPECT_EQ(w.snapshot().ambient, vec3(0.0f));
+}
+
 TEST(Snapshot, AFailureLeavesOutItsShapeAndIsToldOnce) {
   TestWorkspace w;
   w.run(
