@@ -61,6 +61,15 @@ bool is_described(const SceneDescription& description, const std::string& key) {
   return light && (object == "lights" || declares(light_parameters(), name));
 }
 
+// The camera that camera.azimuth or camera.elevation moves: what a description places a camera by moves one
+// that is there as well.
+std::optional<std::string> placed_camera_of(const graph::Graph& graph, const std::string& key) {
+  const auto dot = key.find('.');
+  if (dot == key.npos || (key.substr(dot) != ".azimuth" && key.substr(dot) != ".elevation")) return {};
+  const graph::Node* node = graph.find(key.substr(0, dot));
+  return node && node->type->name() == "camera" ? std::optional(node->name) : std::nullopt;
+}
+
 graph::Plug plug_of(const graph::Graph& graph, const SceneEdit& edit) {
   const auto dot = edit.key.find('.');
   const std::string node = edit.key.substr(0, dot);
@@ -182,6 +191,15 @@ void apply_edit(scene::Workspace& workspace, const SceneEdit& edit) {
       throw std::runtime_error(fmt::format("{}: unknown key{}; --help-quality lists them", edit.where,
                                            did_you_mean(edit.key, parameter_names(quality_parameters()))));
     return scene::write_quality(session, workspace.view().quality, quality);
+  }
+  if (const auto camera = placed_camera_of(session.graph(), edit.key)) {
+    try {
+      session.execute(fmt::format("frameView -camera {} -{} {}", *camera,
+                                  edit.key.substr(edit.key.rfind('.') + 1), edit.value));
+    } catch (const graph::GraphError& error) {
+      throw std::runtime_error(edit.where + ": " + error.what());
+    }
+    return;
   }
   const graph::Plug plug = plug_of(session.graph(), edit);
   // A look is put on as a whole: its name alone would change nothing.

@@ -90,10 +90,13 @@ CommandResult save(Workspace& workspace, const std::string& name, const std::str
   return {path};
 }
 
-CommandResult list() {
+CommandResult list(const Session& session) {
   CommandResult lines;
   for (const std::string& name : preset_names(preset_folders())) lines.push_back("preset " + name);
   for (const std::string& name : look_names()) lines.push_back("look " + name);
+  session.note(
+      "preset apply NAME puts a preset on the quality set that is on, or a look on the medium; preset "
+      "apply NAME MEDIUM names the medium");
   return lines;
 }
 
@@ -108,9 +111,9 @@ void add_preset_commands(Workspace& workspace) {
                       {"name", text, "of the preset or look, or a file", true},
                       {"target", text,
                        "fast or high, or a medium; else the set that is on, or what is selected", true}},
-       .run = [&workspace](Session&, const Arguments& arguments) -> CommandResult {
+       .run = [&workspace](Session& session, const Arguments& arguments) -> CommandResult {
          const std::string action = arguments.text("action"), name = arguments.text("name");
-         if (action == "list") return list();
+         if (action == "list") return list(session);
          if (action != "apply" && action != "save")
            throw GraphError("preset: there is no action " + graph::shown(action) +
                             "; there are: apply, save, list");

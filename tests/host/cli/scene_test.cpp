@@ -58,6 +58,29 @@ TEST_F(Program, ADamagedSceneNamesTheOneBeforeItWhereItIsThere) {
             cut + " (a.plinian.bak may hold the last whole scene)\n");
 }
 
+TEST_F(Program, AnAzimuthMovesTheCameraOfASceneAndOfVariants) {
+  render({"ash", "--resolution", "24", "-o", "a.exr", "--save-scene", "a.plinian"});
+  const auto eye = [&](const std::string& name) {
+    return vec3(glm::inverse(std::get<mat4>(picture(name).metadata.at(attribute::world_to_camera)))[3]);
+  };
+  const auto azimuth = [](vec3 eye) { return glm::degrees(std::atan2(eye.x, eye.z)); };
+  EXPECT_NEAR(azimuth(eye("a.exr")), 30.0, 2.0);
+  EXPECT_EQ(run({"render", "a.plinian", "-o", "b.exr", "--renderer", "cpu", "--samples", "1", "--set",
+                 "camera.azimuth=120", "--set", "camera.elevation=40"})
+                .code,
+            0);
+  EXPECT_NEAR(azimuth(eye("b.exr")), 120.0, 2.0);
+  EXPECT_GT(eye("b.exr").y, eye("a.exr").y + 1.0f);
+  const Ended sheet = run({"render", "a.plinian", "--renderer", "cpu", "--samples", "1", "--size", "24x24",
+                           "--vary", "camera.azimuth=0,90", "--sheet", "s.png", "--json"});
+  ASSERT_EQ(sheet.code, 0) << sheet.err;
+  const json variants = json::parse(sheet.out)["variants"];
+  EXPECT_NE(variants[0]["scene_hash"], variants[1]["scene_hash"]);
+  const Ended wrong = run({"render", "a.plinian", "-o", "b.exr", "-q", "--set", "camera.azimuth=left"});
+  EXPECT_EQ(wrong.code, 1);
+  EXPECT_TRUE(wrong.err.starts_with("plinian: error: --set camera.azimuth: ")) << wrong.err;
+}
+
 TEST_F(Program, ALookIsPutOnAsAWholeOrRefused) {
   render({"sphere", "-o", "plain.exr"});
   render({"sphere", "-o", "ash.exr", "--set", "medium.look=ash"});
@@ -117,6 +140,27 @@ TEST_F(Program, RunsAScriptAndTellsTheLineThatFails) {
   EXPECT_EQ(wrong.err, "plinian: error: wrong.pln:3: ball.draw 'cube' is none of volume, box, sphere\n");
   EXPECT_EQ(wrong.out, "time1\nball\nsun\n");
   EXPECT_NE(run({"run", "nowhere.pln"}).err.find("nowhere.pln"), std::string::npos);
+}
+
+TEST_F(Program, AScriptThatBringsAVolumeAndRendersShowsIt) {
+  ASSERT_EQ(run({"make", "ash", "-o", "ash.vdb", "--resolution", "24"}).code, 0);
+  folder_.write(
+      "first.pln",
+      "import ash.vdb\nrender a.exr -renderer cpu -passes 1 -size 40x30\nsetAttr settings.width 20\n"
+      "render b.exr -renderer cpu -passes 1\n");
+  const Ended ended = run({"run", "first.pln"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(ended.err.find("warning"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("the scene has no lights: a key, a rim and a sky stand in"), std::string::npos);
+  EXPECT_EQ(picture("a.exr").width, 40);
+  EXPECT_EQ(picture("a.exr").height, 30);
+  EXPECT_EQ(picture("b.exr").width, 20);
+  EXPECT_GT(mean_of(picture("a.exr"), "key.G"), 0.01);
+  folder_.write("wrong.pln", "import ash.vdb\nrender a.exr -size 40\n");
+  const Ended wrong = run({"run", "wrong.pln", "--quiet"});
+  EXPECT_EQ(wrong.code, 1);
+  EXPECT_NE(wrong.err.find("wrong.pln:2: render: -size 40: expected WIDTHxHEIGHT"), std::string::npos)
+      << wrong.err;
 }
 
 TEST_F(Program, WithoutThePluginASceneOpensSaysSoAndIsKeptByteForByte) {
