@@ -30,6 +30,9 @@ struct Passes {
   /// Called after each pass with the number done and, when it is known anew, the change still to come.
   /// Returning false ends the picture with what there is.
   std::function<bool(int done, std::optional<float> change)> after_pass;
+  /// Called before that, for whoever shows a picture while it is refined: `mean` makes the picture of the
+  /// passes done so far, which costs time only where it is called.
+  std::function<void(int done, const std::function<Frame()>& mean)> on_mean;
 };
 
 class Renderer {

@@ -61,6 +61,7 @@ std::optional<float> RestGauge::look(int passes, const Frame& mean) {
 
 bool Refinement::wants_another(int done, const std::function<Frame()>& mean) {
   std::optional<float> change;
+  if (passes_.on_mean) passes_.on_mean(done, mean);
   if (passes_.rest_change > 0.0f && RestGauge::looks_at(done)) change = gauge_.look(done, mean());
   if (change) change_ = change;
   const bool told_to_end = passes_.after_pass && !passes_.after_pass(done, change);

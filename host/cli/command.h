@@ -21,6 +21,7 @@ inline constexpr int exit_cancelled = 130;  // Ctrl-C, as shells count it
 using Run = std::function<int(const std::string& command_line)>;
 
 /// Declares a command's arguments on `app` and returns what runs it.
+Run set_up_view(CLI::App& app);
 Run set_up_render(CLI::App& app);
 Run set_up_compare(CLI::App& app);
 Run set_up_bench(CLI::App& app);

@@ -13,12 +13,14 @@
 #include "host/cli/command.h"
 #include "host/cli/console.h"
 #include "host/cli/progress.h"
+#include "host/window/window.h"
 
 namespace plinian::cli {
 
 namespace {
 
 constexpr Command commands[] = {
+    {"view", "open the window on a scene or a volume", set_up_view},
     {"render", "make a picture of a volume or a scene", set_up_render},
     {"compare", "measure how far one picture is from another", set_up_compare},
     {"bench", "time maps, frames and edits on this machine", set_up_bench},
@@ -31,6 +33,8 @@ constexpr Command commands[] = {
 
 constexpr const char* overview = R"(Plinian renders smoke, ash and dust that are too dense for anything else.
 
+  plinian                               the window, with the default scene
+  plinian view smoke.vdb                ... with a volume of your own
   plinian render ash -o ash.png         the default scene, a column of ash
   plinian render smoke.vdb -o smoke.png a volume of your own, framed and lit
   plinian info smoke.vdb                what is in it
@@ -112,7 +116,25 @@ std::string command_line_of(int argc, char** argv) {
   return line;
 }
 
-int run(int argc, char** argv) {
+// Without a command the window opens, on a file where one is named and on a display where there is one.
+std::vector<char*> with_command(int argc, char** argv) {
+  static char view[] = "view";
+  std::vector<char*> words(argv, argv + argc);
+  if (!window::can_open_window()) return words;
+  std::error_code ignored;
+  const auto names = command_names();
+  const bool alone = argc < 2;
+  if (alone || (std::find(names.begin(), names.end(), argv[1]) == names.end() && argv[1][0] != '-' &&
+                std::filesystem::is_regular_file(argv[1], ignored)))
+    words.insert(words.begin() + 1, view);
+  return words;
+}
+
+int run(int given, char** given_words) {
+  std::vector<char*> words = with_command(given, given_words);
+  const int argc = int(words.size());
+  words.push_back(nullptr);
+  char** argv = words.data();
   CLI::App app("Plinian: interactive previsualisation of very dense participating media", "plinian");
   app.set_version_flag("--version", "plinian " PLINIAN_VERSION);
   app.formatter(std::make_shared<HelpFormatter>());

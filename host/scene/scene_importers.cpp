@@ -13,6 +13,7 @@ graph::CommandResult import_input(graph::Session& session, const graph::Argument
   ImportOptions options;
   options.name_space = arguments.text("namespace");
   options.media_only = volume;
+  options.progress = session.on_progress;
   const ImportReport report = import_description(session, description, options);
   for (const std::string& line : report.notes) session.note(line);
   for (const std::string& line : report.warnings) session.warn(line);

@@ -54,20 +54,6 @@ Camera placed_camera(Camera camera, const dmat4& world) {
   return camera;
 }
 
-// Shapes that may have a part in the picture, with the output that says which.
-std::vector<Plug> contributions(graph::Session& session, const SceneView& view) {
-  const Placed placed(session.graph(), session.evaluator());
-  std::vector<Plug> plugs;
-  for (const Node* node : session.graph().nodes()) {
-    const graph::AttributeIndex output = sdk::contribution_of(*node->type);
-    if (output == graph::no_attribute) continue;
-    // A camera is looked through whether it is seen or not.
-    if (node->id == view.camera || node->type->name() == "camera" || placed.is_shown(node->id, view.isolated))
-      plugs.push_back({node->id, output});
-  }
-  return plugs;
-}
-
 bool has_light_node(const graph::Graph& graph) {
   for (const Node* node : graph.nodes())
     for (const char* light : {"directionalLight", "spotLight", "pointLight", "ambientLight"})
@@ -93,6 +79,19 @@ NodeId chosen_camera(graph::Session& session, const SceneView& view) {
 }
 
 }  // namespace
+
+std::vector<Plug> contributing_plugs(graph::Session& session, const SceneView& view) {
+  const Placed placed(session.graph(), session.evaluator());
+  std::vector<Plug> plugs;
+  for (const Node* node : session.graph().nodes()) {
+    const graph::AttributeIndex output = sdk::contribution_of(*node->type);
+    if (output == graph::no_attribute) continue;
+    // A camera is looked through whether it is seen or not.
+    if (node->id == view.camera || node->type->name() == "camera" || placed.is_shown(node->id, view.isolated))
+      plugs.push_back({node->id, output});
+  }
+  return plugs;
+}
 
 const Node* first_of_type(const graph::Graph& graph, const std::string& type) {
   for (const Node* node : graph.nodes())
@@ -150,7 +149,7 @@ bool compute_plugs(graph::Session& session, const std::vector<Plug>& plugs,
 
 bool compute_contributions(graph::Session& session, const SceneView& view,
                            const std::function<bool(double)>& progress) {
-  std::vector<Plug> plugs = contributions(session, view);
+  std::vector<Plug> plugs = contributing_plugs(session, view);
   std::erase_if(plugs, [&](const Plug& plug) { return !session.evaluator().is_dirty(plug); });
   return plugs.empty() || compute_plugs(session, plugs, progress);
 }
@@ -164,7 +163,7 @@ BuiltSnapshot build_snapshot(graph::Session& session, const SceneView& view) {
   const NodeId wanted_camera = chosen_camera(session, view);
   bool has_camera = false;
   std::set<Plug> told;
-  for (const Plug& plug : contributions(session, view)) {
+  for (const Plug& plug : contributing_plugs(session, view)) {
     const Node& node = *graph.find(plug.node);
     const graph::ResultPtr result = evaluator.evaluate(plug);
     if (result->error) {

@@ -32,6 +32,10 @@ struct BuiltSnapshot {
 /// Throws GraphError where the place of a node cannot be told.
 BuiltSnapshot build_snapshot(graph::Session& session, const SceneView& view);
 
+/// The outputs that build_snapshot will ask for: what every shape says that may have a part in the picture.
+/// Whoever cannot wait requests those that are dirty, and builds the snapshot once none is.
+std::vector<graph::Plug> contributing_plugs(graph::Session& session, const SceneView& view);
+
 /// Computes what build_snapshot will ask for on workers, and tells how far that is. Returns false where
 /// `progress` returned false, and waits until all has stopped.
 bool compute_contributions(graph::Session& session, const SceneView& view,

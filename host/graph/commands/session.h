@@ -50,6 +50,8 @@ class Session {
   /// Hears of every command that ran, as the line that would run it again, of warnings, and of what was
   /// assumed.
   std::function<void(const std::string&line)> on_echo, on_warning, on_note;
+  /// Hears how far a command has come that takes its time [0, 1]; returning false cancels it.
+  std::function<bool(double share)> on_progress;
   void warn(const std::string& line) const;
   void note(const std::string& line) const;
   void add_listener(SessionListener* listener) { listeners_.push_back(listener); }

@@ -1,0 +1,49 @@
+// plinian view: the window.
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "host/cli/command.h"
+#include "host/cli/scene_arguments.h"
+#include "host/window/window.h"
+
+namespace plinian::cli {
+
+namespace {
+
+struct ViewArguments {
+  std::string input = "ash", size, trace;
+  bool empty = false;
+};
+
+constexpr const char* examples = R"(
+Examples:
+  plinian                               the default scene, a column of ash
+  plinian view smoke.vdb                a volume of your own, framed and lit
+  plinian view shot.plinian
+Alt and the mouse move the camera (or Ctrl+Alt): left tumbles, middle tracks, right and the wheel dolly. F1 lists
+the hotkeys. Without a display, 'plinian render' makes pictures.)";
+
+}  // namespace
+
+Run set_up_view(CLI::App& app) {
+  auto arguments = std::make_shared<ViewArguments>();
+  app.footer(examples);
+  app.add_option("INPUT", arguments->input,
+                 "a .plinian scene, a .vdb file or a sequence of them, a .json scene, "
+                 "or a procedural medium")
+      ->capture_default_str();
+  app.add_flag("--empty", arguments->empty, "begin with an empty scene");
+  app.add_option("--size", arguments->size, "of the window")->type_name("WIDTHxHEIGHT");
+  app.add_option("--trace", arguments->trace, "note in FILE what happens in the window and when, a line each")
+      ->type_name("FILE");
+  return [arguments](const std::string&) {
+    window::WindowOptions options;
+    options.input = arguments->empty ? "" : arguments->input;
+    if (!arguments->size.empty()) options.size = parse_size(arguments->size);
+    options.trace = arguments->trace;
+    window::run_window(options);
+    return exit_success;
+  };
+}
+
+}  // namespace plinian::cli

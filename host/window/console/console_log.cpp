@@ -1,0 +1,49 @@
+// Keeps the last lines.
+#include "host/window/console/console_log.h"
+
+namespace plinian::window {
+
+namespace {
+
+constexpr std::size_t most_lines = 5000;
+
+std::string subject_of(const std::string& line) {
+  const auto space = line.find(' ');
+  return space == line.npos ? line : line.substr(0, line.find(' ', space + 1));
+}
+
+}  // namespace
+
+void ConsoleLog::add(LineKind kind, const std::string& text) {
+  ++changes_;
+  merge_key_.clear();
+  if (!lines_.empty() && lines_.back().kind == kind && lines_.back().text == text) {
+    ++lines_.back().repeats;
+    return;
+  }
+  lines_.push_back({kind, text});
+  if (lines_.size() > most_lines) lines_.pop_front();
+}
+
+void ConsoleLog::echo(const std::string& line, const std::string& merge_key) {
+  if (!merge_key.empty() && merge_key == merge_key_) {
+    // Of several nodes that are dragged together each has a line.
+    for (auto old = lines_.rbegin(); old != lines_.rend() && old->kind == LineKind::command; ++old)
+      if (subject_of(old->text) == subject_of(line)) {
+        ++changes_;
+        old->text = line;
+        return;
+      }
+  }
+  add(LineKind::command, line);
+  lines_.back().repeats = 1;
+  merge_key_ = merge_key;
+}
+
+void ConsoleLog::clear() {
+  ++changes_;
+  lines_.clear();
+  merge_key_.clear();
+}
+
+}  // namespace plinian::window

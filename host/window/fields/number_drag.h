@@ -1,0 +1,26 @@
+// What dragging a number field makes of its value.
+#pragma once
+
+#include "host/graph/types/attribute_spec.h"
+
+namespace plinian::window {
+
+/// How fast a drag is.
+enum class DragPace { usual, fine, coarse };
+
+struct NumberRange {
+  std::optional<double> minimum, maximum;            // hard
+  std::optional<double> soft_minimum, soft_maximum;  // where a drag ends
+  bool whole = false;                                // takes whole numbers only
+};
+NumberRange range_of(const graph::AttributeSpec& spec);
+
+/// The value after the mouse was dragged that far to the right since it was `start`. [points]. The soft range
+/// is crossed in 300 points; without one, 100 points are the value itself, or 1. A drag stays within the soft
+/// range where it began there, and within the hard one in any case; it lands on round numbers.
+double dragged(const NumberRange& range, double start, double points, DragPace pace);
+
+/// A number as a field shows it: at most 6 significant digits, no more than it needs.
+std::string shown_number(double value);
+
+}  // namespace plinian::window

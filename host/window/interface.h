@@ -1,0 +1,39 @@
+// The interface: its panels, and one turn of its loop.
+#pragma once
+
+#include <chrono>
+
+#include "host/window/panels/layout.h"
+#include "host/window/panels/viewport_panel.h"
+#include "host/window/platform/main_window.h"
+#include "host/window/studio.h"
+
+namespace plinian::window {
+
+class Interface {
+ public:
+  Interface(MainWindow& window, Studio& studio);
+  ~Interface();
+
+  /// Takes input, draws, and does what was asked for. Waits until there is something to do, a second at most.
+  void turn();
+
+ private:
+  void draw();
+  void draw_meanwhile();
+  void take_input();
+  void show_panels();
+  void note_work(bool waited);
+  double patience() const;
+
+  MainWindow& window_;
+  Studio& studio_;
+  PaneSizes sizes_;
+  ViewportPanel viewport_;
+  int redraws_ = 3;
+  std::string title_;
+  std::chrono::steady_clock::time_point work_began_ = std::chrono::steady_clock::now();
+  double longest_work_ms_ = 0.0;  // between two looks at what the user does
+};
+
+}  // namespace plinian::window

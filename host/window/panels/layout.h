@@ -1,0 +1,33 @@
+// Where the panes are: a column on either side, a strip beneath, the picture in the middle.
+#pragma once
+
+#include <string>
+
+#include "core/shared/glue.h"
+
+namespace plinian::window {
+
+struct PaneRect {
+  vec2 begin{0.0f}, size{0.0f};  // [points]
+};
+
+/// How large the side panes are; what the window leaves, the picture has.
+struct PaneSizes {
+  float left = 230.0f, right = 350.0f, bottom = 150.0f;  // [points] at a scale of 1
+  float outliner = 0.62f;                                // [-] share of the left column
+};
+
+struct Panes {
+  PaneRect menu, outliner, lights, picture, attributes, timeline, console, status;
+};
+
+/// room: [points] of the window. The picture keeps 200 points a side; what does not fit is narrowed. panels:
+/// false leaves the picture alone.
+Panes lay_out(const PaneSizes& sizes, vec2 room, float menu_height, float timeline_height,
+              float status_height, float scale, bool panels);
+
+/// As lines of text, and back; what is not understood is left as it is.
+std::string text_of(const PaneSizes& sizes);
+PaneSizes read_pane_sizes(const std::string& text);
+
+}  // namespace plinian::window

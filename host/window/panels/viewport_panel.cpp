@@ -1,0 +1,197 @@
+// Shows, moves, tells.
+#include "host/window/panels/viewport_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/window/platform/theme.h"
+
+namespace plinian::window {
+
+namespace {
+
+ImVec2 to_im(vec2 v) {
+  return {v.x, v.y};
+}
+
+std::string words_of(const Development& how) {
+  std::string words = fmt::format("{} {} {} {} {} {}", int(how.view.view), how.view.exposure,
+                                  how.view.ocio_config, how.view.ocio_display, how.view.ocio_view, how.layer);
+  for (const std::string& light : how.solo) words += " " + light;
+  return words;
+}
+
+// Text on the picture, readable on white as on black.
+void draw_text(ImDrawList* list, vec2 at, unsigned colour, const std::string& text) {
+  list->AddText({at.x + 1.0f, at.y + 1.0f}, 0xc0000000, text.c_str());
+  list->AddText(to_im(at), colour, text.c_str());
+}
+
+}  // namespace
+
+// Through a camera of the scene one sees what it takes in, no more; one's own fills the pane.
+void ViewportPanel::settle_size(Studio& studio, const PaneRect& pane, double pixel_ratio) {
+  vec2 size = pane.size;
+  if (!studio.look.free && studio.feed.snapshot()) {
+    const SceneSnapshot& scene = studio.feed.snapshot()->snapshot;
+    const float wanted = float(scene.width) / float(std::max(1, scene.height));
+    if (size.x > size.y * wanted)
+      size.x = size.y * wanted;
+    else
+      size.y = size.x / wanted;
+  }
+  const ivec2 pixels(std::max(16, int(std::lround(size.x * pixel_ratio))),
+                     std::max(16, int(std::lround(size.y * pixel_ratio))));
+  studio.picture_size = pixels;
+  size = vec2(pixels) / float(pixel_ratio);
+  begin_ = pane.begin + glm::floor((pane.size - size) * 0.5f);
+  end_ = begin_ + size;
+}
+
+void ViewportPanel::take_picture(Studio& studio) {
+  const ViewPicturePtr picture = studio.renderer.picture();
+  const std::string how = words_of(studio.development);
+  if (picture && (picture != asked_picture_ || how != asked_development_)) {
+    studio.developer.ask(picture, studio.development);
+    asked_picture_ = picture;
+    asked_development_ = how;
+  }
+  const DevelopedPtr before = texture_.shown();
+  texture_.show(studio.developer.developed());
+  const DevelopedPtr& shown = texture_.shown();
+  if (!shown || shown == before || !studio.trace.is_on()) return;
+  const ViewPicture& p = *shown->picture;
+  studio.trace.note(fmt::format("picture {} {}x{} passes {} {} {:.0f} ms", p.number, shown->width,
+                                shown->height, p.passes,
+                                p.quick     ? "quick"
+                                : p.at_rest ? "rest"
+                                            : "refining",
+                                p.render_ms));
+}
+
+void ViewportPanel::navigate(Studio& studio, bool hovered) {
+  if (!studio.feed.snapshot()) return;
+  const ImGuiIO& io = ImGui::GetIO();
+  const dvec2 mouse(io.MousePos.x, io.MousePos.y);
+  const ivec2 pane(std::max(1.0f, end_.x - begin_.x), std::max(1.0f, end_.y - begin_.y));
+  // Alt, and Ctrl+Alt where the desktop keeps Alt to itself.
+  if (hovered && hand_ == Hand::none && io.KeyAlt) {
+    if (ImGui::IsMouseClicked(0)) hand_ = Hand::tumble;
+    if (ImGui::IsMouseClicked(2)) hand_ = Hand::track;
+    if (ImGui::IsMouseClicked(1)) hand_ = Hand::dolly;
+    moved_ = false;
+    last_ = mouse;
+  }
+  if (hand_ != Hand::none) {
+    const int button = hand_ == Hand::tumble ? 0 : hand_ == Hand::track ? 2 : 1;
+    const dvec2 delta = mouse - last_;
+    if (delta != dvec2(0.0)) {
+      const FreeCamera camera = studio.free_camera();
+      studio.move_camera(hand_ == Hand::tumble  ? tumble(camera, delta)
+                         : hand_ == Hand::track ? track(camera, delta, pane)
+                                                : dolly(camera, delta.x - delta.y),
+                         !moved_);
+      moved_ = true;
+      last_ = mouse;
+    }
+    if (moved_) studio.keep_hand_on();
+    if (!ImGui::IsMouseDown(button)) hand_ = Hand::none;
+  } else if (hovered && io.MouseWheel != 0.0f) {
+    constexpr double points_per_notch = 100.0 / 7.0;
+    studio.move_camera(dolly(studio.free_camera(), io.MouseWheel * points_per_notch), !studio.is_hand_on());
+    studio.keep_hand_on();
+  }
+}
+
+// What there is to say about the picture, in its corners.
+void ViewportPanel::show_notes(Studio& studio, const PaneRect& pane) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float line = ImGui::GetTextLineHeight() + scaled(3);
+  vec2 at = pane.begin + vec2(scaled(10), scaled(8));
+  const std::vector<std::string>& problems = studio.feed.problems();
+  const std::string render_error = studio.renderer.status().error;
+  for (const std::string& problem : problems) {
+    draw_text(list, at, colour::error, problem);
+    at.y += line;
+  }
+  if (!render_error.empty()) {
+    draw_text(list, at, colour::error, render_error);
+    at.y += line;
+  }
+  const bool stale = studio.feed.is_stale() && studio.feed.snapshot();
+  if (stale) draw_text(list, at, colour::warning, problems.empty() ? "updating" : "the last good picture");
+  if (texture_.shown() && !texture_.shown()->error.empty())
+    draw_text(list, at, colour::error, texture_.shown()->error);
+  // While a picture refines, a thin line runs along its lower edge.
+  const ViewRenderer::Status status = studio.renderer.status();
+  if (status.is_busy && !studio.is_hand_on()) {
+    const float y = pane.begin.y + pane.size.y - scaled(2);
+    list->AddRectFilled({pane.begin.x, y}, {pane.begin.x + pane.size.x * float(status.share), y + scaled(2)},
+                        (colour::accent & 0x00ffffff) | 0x90000000);
+  }
+}
+
+void ViewportPanel::show_pixel(const PaneRect& pane) {
+  const DevelopedPtr& shown = texture_.shown();
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  if (!shown || mouse.x < begin_.x || mouse.y < begin_.y || mouse.x >= end_.x || mouse.y >= end_.y) return;
+  const vec2 share = (vec2(mouse.x, mouse.y) - begin_) / (end_ - begin_);
+  const Frame& frame = shown->picture->frame;
+  const int x = std::clamp(int(share.x * frame.width), 0, frame.width - 1);
+  const int y = std::clamp(int(share.y * frame.height), 0, frame.height - 1);
+  const std::size_t pixel = std::size_t(y) * frame.width + x;
+  const vec3 c = frame.beauty[pixel], t = frame.transmittance[pixel];
+  const float depth = frame.depth[pixel];
+  const std::string text = fmt::format("{:4} {:4}   {:.4f} {:.4f} {:.4f}   a {:.3f}{}", x, y, c.x, c.y, c.z,
+                                       1.0f - (t.x + t.y + t.z) / 3.0f,
+                                       std::isfinite(depth) ? fmt::format("   z {:.4g} m", depth) : "");
+  ImGui::PushFont(fonts().fixed);
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  draw_text(ImGui::GetWindowDrawList(), pane.begin + vec2(scaled(10), pane.size.y - size.y - scaled(8)),
+            colour::faint_text, text);
+  ImGui::PopFont();
+}
+
+void ViewportPanel::show(Studio& studio, const PaneRect& pane, double pixel_ratio) {
+  settle_size(studio, pane, pixel_ratio);
+  take_picture(studio);
+  ImGui::SetNextWindowPos(to_im(pane.begin));
+  ImGui::SetNextWindowSize(to_im(pane.size));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(0.055f, 0.055f, 0.057f, 1.0f));
+  ImGui::Begin("##picture", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+  if (texture_.name() != 0) {
+    // A picture of another shape than the pane's keeps its own until the next one is there.
+    const Frame& frame = texture_.shown()->picture->frame;
+    const SceneSnapshot& scene = texture_.shown()->picture->scene;
+    vec2 begin = begin_, end = end_;
+    if (scene.width != studio.picture_size.x || scene.height != studio.picture_size.y) {
+      const float scale =
+          std::min((end_.x - begin_.x) / float(frame.width), (end_.y - begin_.y) / float(frame.height));
+      const vec2 size = vec2(frame.width, frame.height) * scale;
+      begin = begin_ + (end_ - begin_ - size) * 0.5f;
+      end = begin + size;
+    }
+    ImGui::GetWindowDrawList()->AddImage(ImTextureID(std::intptr_t(texture_.name())), to_im(begin),
+                                         to_im(end));
+  }
+  ImGui::SetCursorScreenPos(to_im(pane.begin));
+  ImGui::InvisibleButton("##hand", to_im(pane.size),
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
+                             ImGuiButtonFlags_MouseButtonRight);
+  const bool hovered = ImGui::IsItemHovered();
+  studio.trace.item("picture", begin_, end_ - begin_);
+  navigate(studio, hovered);
+  show_notes(studio, pane);
+  if (hovered) show_pixel(pane);
+  ImGui::End();
+}
+
+}  // namespace plinian::window

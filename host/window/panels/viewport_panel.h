@@ -1,0 +1,31 @@
+// The picture, and the hand that moves the camera in it.
+#pragma once
+
+#include "host/window/panels/layout.h"
+#include "host/window/studio.h"
+#include "host/window/view/picture_texture.h"
+
+namespace plinian::window {
+
+class ViewportPanel {
+ public:
+  void show(Studio& studio, const PaneRect& pane, double pixel_ratio);
+
+ private:
+  enum class Hand { none, tumble, track, dolly, light };
+  void settle_size(Studio& studio, const PaneRect& pane, double pixel_ratio);
+  void take_picture(Studio& studio);
+  void navigate(Studio& studio, bool hovered);
+  void show_notes(Studio& studio, const PaneRect& pane);
+  void show_pixel(const PaneRect& pane);
+
+  PictureTexture texture_;
+  ViewPicturePtr asked_picture_;
+  std::string asked_development_;
+  vec2 begin_{0.0f}, end_{0.0f};  // [points] of the picture in the window
+  Hand hand_ = Hand::none;
+  bool moved_ = false;
+  dvec2 last_{0.0};  // [points] of the mouse
+};
+
+}  // namespace plinian::window

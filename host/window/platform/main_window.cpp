@@ -1,0 +1,197 @@
+// GLFW, and what it tells.
+#include "host/window/platform/main_window.h"
+
+#include <epoxy/gl.h>
+//
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <utility>
+
+#include "host/window/platform/theme.h"
+
+namespace plinian::window {
+
+struct MainWindow::Events {
+  std::vector<std::string> dropped;
+  std::vector<Chord> keys;
+  bool any = false, close = false;
+};
+
+namespace {
+
+constexpr const char* instead = "; 'plinian render INPUT -o OUT.png' makes a picture without a window";
+
+std::string last_error() {
+  const char* text = nullptr;
+  glfwGetError(&text);
+  return text ? text : "the window system says no more";
+}
+
+std::string key_name(int key, int scancode) {
+  static const std::map<int, std::string> named = {{GLFW_KEY_SPACE, "Space"},
+                                                   {GLFW_KEY_TAB, "Tab"},
+                                                   {GLFW_KEY_ENTER, "Enter"},
+                                                   {GLFW_KEY_KP_ENTER, "Enter"},
+                                                   {GLFW_KEY_ESCAPE, "Escape"},
+                                                   {GLFW_KEY_DELETE, "Delete"},
+                                                   {GLFW_KEY_BACKSPACE, "Backspace"},
+                                                   {GLFW_KEY_HOME, "Home"},
+                                                   {GLFW_KEY_END, "End"},
+                                                   {GLFW_KEY_PAGE_UP, "PageUp"},
+                                                   {GLFW_KEY_PAGE_DOWN, "PageDown"},
+                                                   {GLFW_KEY_LEFT, "Left"},
+                                                   {GLFW_KEY_RIGHT, "Right"},
+                                                   {GLFW_KEY_UP, "Up"},
+                                                   {GLFW_KEY_DOWN, "Down"},
+                                                   {GLFW_KEY_INSERT, "Insert"}};
+  if (const auto found = named.find(key); found != named.end()) return found->second;
+  if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) return "F" + std::to_string(key - GLFW_KEY_F1 + 1);
+  const char* text = glfwGetKeyName(key, scancode);
+  if (!text || text[0] == 0 || text[1] != 0) return "";
+  return std::string(1, char(std::toupper((unsigned char)text[0])));
+}
+
+}  // namespace
+
+bool has_display() {
+  const auto given = [](const char* name) {
+    const char* value = std::getenv(name);
+    return value && *value;
+  };
+  return given("DISPLAY") || given("WAYLAND_DISPLAY");
+}
+
+MainWindow::MainWindow(const std::string& title, ivec2 size) : events_(std::make_unique<Events>()) {
+  if (!has_display()) throw NoDisplay(std::string("there is no display to open a window on") + instead);
+  if (!glfwInit()) throw NoDisplay("no window can be opened: " + last_error() + instead);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  GLFWwindow* window = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
+  if (!window) {
+    const std::string reason = last_error();
+    glfwTerminate();
+    throw NoDisplay("no window with OpenGL 4.5 can be opened: " + reason + instead);
+  }
+  window_ = window;
+  glfwSetWindowSizeLimits(window, 720, 480, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  glfwMakeContextCurrent(window);
+  glfwSwapInterval(1);
+  float x = 1.0f, y = 1.0f;
+  glfwGetWindowContentScale(window, &x, &y);
+  scale_ = std::clamp(double(std::max(x, y)), 1.0, 4.0);
+
+  // Ours come first: the backend calls whom it finds.
+  glfwSetWindowUserPointer(window, events_.get());
+  static constexpr auto note = [](GLFWwindow* w) {
+    return static_cast<Events*>(glfwGetWindowUserPointer(w));
+  };
+  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { note(w)->any = true; });
+  glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int) { note(w)->any = true; });
+  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { note(w)->any = true; });
+  glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { note(w)->any = true; });
+  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { note(w)->any = true; });
+  glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int) { note(w)->any = true; });
+  glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { note(w)->any = true; });
+  glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { note(w)->any = true; });
+  glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
+    note(w)->any = note(w)->close = true;
+    glfwSetWindowShouldClose(w, GLFW_FALSE);
+  });
+  glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+    note(w)->any = true;
+    note(w)->dropped.insert(note(w)->dropped.end(), paths, paths + count);
+  });
+  glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
+    note(w)->any = true;
+    if (action == GLFW_RELEASE) return;
+    Chord chord{(mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_ALT) != 0,
+                key_name(key, scancode)};
+    if (!chord.key.empty()) note(w)->keys.push_back(chord);
+  });
+
+  IMGUI_CHECKVERSION();
+  ImGui::CreateContext();
+  ImGui::GetIO().IniFilename = nullptr;
+  ImGui::GetIO().ConfigInputTextCursorBlink = false;  // the window is drawn when something happens
+  ImGui_ImplGlfw_InitForOpenGL(window, true);
+  ImGui_ImplOpenGL3_Init("#version 330 core");
+  set_theme(scale_);
+}
+
+MainWindow::~MainWindow() {
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui_ImplGlfw_Shutdown();
+  ImGui::DestroyContext();
+  glfwDestroyWindow(static_cast<GLFWwindow*>(window_));
+  glfwTerminate();
+}
+
+bool MainWindow::wait(double seconds) {
+  if (seconds > 0.0)
+    glfwWaitEventsTimeout(seconds);
+  else
+    glfwPollEvents();
+  return std::exchange(events_->any, false);
+}
+
+void MainWindow::wake() {
+  glfwPostEmptyEvent();
+}
+
+void MainWindow::begin_frame() {
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplGlfw_NewFrame();
+  ImGui::NewFrame();
+}
+
+void MainWindow::end_frame(vec3 background) {
+  ImGui::Render();
+  int width = 0, height = 0;
+  glfwGetFramebufferSize(static_cast<GLFWwindow*>(window_), &width, &height);
+  glViewport(0, 0, width, height);
+  glClearColor(background.x, background.y, background.z, 1.0f);
+  glClear(GL_COLOR_BUFFER_BIT);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  glfwSwapBuffers(static_cast<GLFWwindow*>(window_));
+}
+
+void MainWindow::set_title(const std::string& title) {
+  glfwSetWindowTitle(static_cast<GLFWwindow*>(window_), title.c_str());
+}
+
+bool MainWindow::take_close_request() {
+  return std::exchange(events_->close, false);
+}
+
+std::vector<std::string> MainWindow::take_dropped(dvec2* where) {
+  if (where) glfwGetCursorPos(static_cast<GLFWwindow*>(window_), &where->x, &where->y);
+  return std::exchange(events_->dropped, {});
+}
+
+std::vector<Chord> MainWindow::take_keys() {
+  return std::exchange(events_->keys, {});
+}
+
+ivec2 MainWindow::size() const {
+  ivec2 size(0);
+  glfwGetWindowSize(static_cast<GLFWwindow*>(window_), &size.x, &size.y);
+  return size;
+}
+
+double MainWindow::pixel_ratio() const {
+  int width = 0, height = 0;
+  glfwGetFramebufferSize(static_cast<GLFWwindow*>(window_), &width, &height);
+  const ivec2 points = size();
+  return points.x > 0 ? double(width) / points.x : 1.0;
+}
+
+}  // namespace plinian::window

@@ -1,0 +1,60 @@
+// The window of the desktop, its OpenGL context and its input, through GLFW and Dear ImGui's backends for it.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "core/shared/glue.h"
+#include "host/window/hotkeys/hotkeys.h"
+
+namespace plinian::window {
+
+/// There is no display, or it has no OpenGL: one line that says what to do instead.
+struct NoDisplay : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Whether the environment names a display.
+bool has_display();
+
+class MainWindow {
+ public:
+  /// size: [points]. Throws NoDisplay. At most one at a time.
+  MainWindow(const std::string& title, ivec2 size);
+  ~MainWindow();
+  MainWindow(const MainWindow&) = delete;
+  MainWindow& operator=(const MainWindow&) = delete;
+
+  /// Waits for events, at most that long, and takes them. Returns whether there were any. seconds: 0 takes
+  /// what is there.
+  bool wait(double seconds);
+  /// Ends a wait from any thread.
+  static void wake();
+
+  void begin_frame();
+  /// Draws the interface over `background` and shows it.
+  void end_frame(vec3 background);
+
+  void set_title(const std::string& title);
+  /// The user asked to close it; taken back by asking.
+  bool take_close_request();
+  /// Files that were dropped on it since the last call, with where. [points]
+  std::vector<std::string> take_dropped(dvec2* where = nullptr);
+  /// Keys that were pressed since the last call, in order.
+  std::vector<Chord> take_keys();
+
+  ivec2 size() const;                                // [points]
+  double pixel_ratio() const;                        // pixels per point, of what is drawn
+  double interface_scale() const { return scale_; }  // of fonts and distances, as the desktop wants it
+
+ private:
+  struct Events;
+  void* window_ = nullptr;
+  std::unique_ptr<Events> events_;
+  double scale_ = 1.0;
+};
+
+}  // namespace plinian::window

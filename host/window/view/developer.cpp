@@ -1,0 +1,125 @@
+// Layers to radiance to bytes.
+#include "host/window/view/developer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plinian::window {
+
+namespace {
+
+void add(std::vector<vec3>& sum, const std::vector<vec3>& layer) {
+  if (layer.size() != sum.size()) return;
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += layer[i];
+}
+
+float alpha_of(vec3 transmittance) {
+  return 1.0f - (transmittance.x + transmittance.y + transmittance.z) / 3.0f;
+}
+
+std::vector<vec3> layer_of(const Frame& frame, const Development& how) {
+  const std::size_t pixels = frame.beauty.size();
+  if (!how.solo.empty()) {
+    std::vector<vec3> sum(pixels, vec3(0.0f));
+    for (const LightLayer& light : frame.lights)
+      if (how.solo.contains(light.name)) add(sum, light.radiance);
+    return sum;
+  }
+  if (how.layer == "alpha") {
+    std::vector<vec3> alpha(pixels);
+    for (std::size_t i = 0; i < pixels; ++i) alpha[i] = vec3(alpha_of(frame.transmittance[i]));
+    return alpha;
+  }
+  if (how.layer == "depth") {
+    // Near is white; the range is that of the picture.
+    float nearest = INFINITY, farthest = 0.0f;
+    for (const float d : frame.depth)
+      if (std::isfinite(d)) {
+        nearest = std::min(nearest, d);
+        farthest = std::max(farthest, d);
+      }
+    std::vector<vec3> depth(pixels, vec3(0.0f));
+    for (std::size_t i = 0; i < pixels; ++i)
+      if (std::isfinite(frame.depth[i]))
+        depth[i] = vec3(1.0f - 0.9f * (frame.depth[i] - nearest) / std::max(farthest - nearest, 1e-6f));
+    return depth;
+  }
+  if (how.layer == "ambient") return frame.ambient;
+  if (how.layer == "emission") return frame.emission;
+  return frame.beauty;
+}
+
+DevelopedPtr develop(const ViewPicturePtr& picture, const Development& how) {
+  auto developed = std::make_shared<Developed>();
+  developed->picture = picture;
+  developed->width = picture->frame.width;
+  developed->height = picture->frame.height;
+  const Image image = visible_layers(picture->frame, how);
+  try {
+    developed->bytes = to_display_bytes(image, ViewTransform(how.view));
+  } catch (const ImageError& error) {
+    developed->error = error.what();
+    developed->bytes =
+        to_display_bytes(image, ViewTransform({.view = View::srgb, .exposure = how.view.exposure}));
+  }
+  return developed;
+}
+
+}  // namespace
+
+Image visible_layers(const Frame& frame, const Development& how) {
+  const std::vector<vec3> seen = layer_of(frame, how);
+  Image image = make_image(frame.width, frame.height);
+  for (int c = 0; c < 3; ++c) {
+    std::vector<float>& values = image.channels[std::size_t(c)].values;
+    for (std::size_t i = 0; i < seen.size() && i < values.size(); ++i) values[i] = seen[i][c];
+  }
+  return image;
+}
+
+Developer::Developer(std::function<void()> wake) : wake_(std::move(wake)), thread_([this] { run(); }) {}
+
+Developer::~Developer() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+  }
+  news_.notify_all();
+  thread_.join();
+}
+
+void Developer::ask(ViewPicturePtr picture, const Development& how) {
+  {
+    const std::lock_guard lock(mutex_);
+    waiting_ = std::move(picture);
+    how_ = how;
+  }
+  news_.notify_all();
+}
+
+DevelopedPtr Developer::developed() const {
+  const std::lock_guard lock(mutex_);
+  return developed_;
+}
+
+void Developer::run() {
+  for (;;) {
+    ViewPicturePtr picture;
+    Development how;
+    {
+      std::unique_lock lock(mutex_);
+      news_.wait(lock, [&] { return stopping_ || waiting_; });
+      if (stopping_) return;
+      picture = std::move(waiting_);
+      how = how_;
+    }
+    DevelopedPtr developed = develop(picture, how);
+    {
+      const std::lock_guard lock(mutex_);
+      developed_ = std::move(developed);
+    }
+    wake_();
+  }
+}
+
+}  // namespace plinian::window

@@ -1,0 +1,34 @@
+// Uploads.
+#include "host/window/view/picture_texture.h"
+
+#include <epoxy/gl.h>
+
+namespace plinian::window {
+
+PictureTexture::~PictureTexture() {
+  if (name_ != 0) glDeleteTextures(1, &name_);
+}
+
+void PictureTexture::show(const DevelopedPtr& developed) {
+  if (!developed || developed == shown_) return;
+  shown_ = developed;
+  const ivec2 size(developed->width, developed->height);
+  if (size != size_) {
+    if (name_ != 0) glDeleteTextures(1, &name_);
+    glCreateTextures(GL_TEXTURE_2D, 1, &name_);
+    glTextureStorage2D(name_, 1, GL_RGB8, size.x, size.y);
+    glTextureParameteri(name_, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(name_, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    size_ = size;
+  }
+  // Pixel for pixel where it is as large as its place; else it is magnified.
+  const bool exact = developed->picture && !developed->picture->quick;
+  const int filter = exact ? GL_NEAREST : GL_LINEAR;
+  glTextureParameteri(name_, GL_TEXTURE_MIN_FILTER, filter);
+  glTextureParameteri(name_, GL_TEXTURE_MAG_FILTER, filter);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTextureSubImage2D(name_, 0, 0, 0, size.x, size.y, GL_RGB, GL_UNSIGNED_BYTE, developed->bytes.data());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+}
+
+}  // namespace plinian::window

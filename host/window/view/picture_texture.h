@@ -1,0 +1,29 @@
+// A developed picture as a texture of the window's OpenGL context.
+#pragma once
+
+#include <cstdint>
+
+#include "host/window/view/developer.h"
+
+namespace plinian::window {
+
+class PictureTexture {
+ public:
+  PictureTexture() = default;
+  /// With the context current.
+  ~PictureTexture();
+  PictureTexture(const PictureTexture&) = delete;
+  PictureTexture& operator=(const PictureTexture&) = delete;
+
+  /// Uploads the picture, unless it is the one that is there.
+  void show(const DevelopedPtr& developed);
+  unsigned name() const { return name_; }
+  const DevelopedPtr& shown() const { return shown_; }
+
+ private:
+  unsigned name_ = 0;  // GL
+  ivec2 size_{0};
+  DevelopedPtr shown_;
+};
+
+}  // namespace plinian::window

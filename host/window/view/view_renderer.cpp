@@ -1,0 +1,212 @@
+// The renderer's thread.
+#include "host/window/view/view_renderer.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <chrono>
+
+#include "host/window/view/interactive_cost.h"
+#include "host/window/view/quick_maps.h"
+
+namespace plinian::window {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+// Where the processor is the graphics card too, whoever draws the interface goes first. What the thread
+// starts takes after it.
+void step_back() {
+  errno = 0;
+  const id_t thread = id_t(gettid());
+  setpriority(PRIO_PROCESS, thread, getpriority(PRIO_PROCESS, thread) + 5);
+}
+
+}  // namespace
+
+ViewRenderer::ViewRenderer(Maker make, std::function<void()> wake)
+    : make_(std::move(make)), wake_(std::move(wake)), thread_([this] { run(); }) {}
+
+ViewRenderer::~ViewRenderer() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+  }
+  news_.notify_all();
+  thread_.join();
+}
+
+void ViewRenderer::ask(ViewRequest request) {
+  {
+    const std::lock_guard lock(mutex_);
+    const ivec2 size(request.scene.width, request.scene.height);
+    if (request.number == asked_number_ && size == asked_size_ && request.hand_on == asked_hand_on_) return;
+    if (waiting_) ++status_.dropped;
+    asked_number_ = request.number;
+    asked_size_ = size;
+    asked_hand_on_ = request.hand_on;
+    waiting_ = std::move(request);
+  }
+  news_.notify_all();
+}
+
+ViewPicturePtr ViewRenderer::picture() const {
+  const std::lock_guard lock(mutex_);
+  return picture_;
+}
+
+ViewRenderer::Status ViewRenderer::status() const {
+  const std::lock_guard lock(mutex_);
+  return status_;
+}
+
+/// What the thread keeps from one request to the next.
+class ViewRenderer::Thread {
+ public:
+  explicit Thread(ViewRenderer& owner) : owner_(owner) {}
+
+  void serve(const ViewRequest& request) {
+    if (!renderer_) renderer_ = owner_.make_();
+    start_ = Clock::now();
+    if (!refines(request)) render_quick(request);
+    if (!request.hand_on && !is_overtaken(request)) render_to_rest(request);
+  }
+
+ private:
+  // Whether the picture that is up shows the same, only less refined.
+  bool refines(const ViewRequest& request) const {
+    return shown_number_ == request.number && shown_size_ == ivec2(request.scene.width, request.scene.height);
+  }
+  bool is_overtaken(const ViewRequest& request) const {
+    const std::lock_guard lock(owner_.mutex_);
+    return owner_.stopping_ || (owner_.waiting_ && (owner_.waiting_->number != request.number ||
+                                                    owner_.waiting_->scene.width != request.scene.width ||
+                                                    owner_.waiting_->scene.height != request.scene.height));
+  }
+  bool is_stopping() const {
+    const std::lock_guard lock(owner_.mutex_);
+    return owner_.stopping_;
+  }
+  void tell_share(double share) const {
+    const std::lock_guard lock(owner_.mutex_);
+    owner_.status_.share = share;
+  }
+
+  // A quick picture is finished whatever comes: else a hand that never rests would see none.
+  void render_quick(const ViewRequest& request) {
+    SceneSnapshot scene = request.scene;
+    const ivec2 size = cost_.size({scene.width, scene.height});
+    scene.width = size.x;
+    scene.height = size.y;
+    scene.quality.map.resolution = quick_maps_.resolution(request.scene);
+    const Clock::time_point begin = Clock::now();
+    Frame frame = render(scene, Passes(1), [&](double share) {
+      tell_share(share);
+      return !is_stopping();
+    });
+    cost_.took(size, milliseconds_since(begin) - renderer_->stats().map_ms - renderer_->stats().upload_ms);
+    publish(request, std::move(frame), true, false, 1);
+  }
+
+  void render_to_rest(const ViewRequest& request) {
+    const ViewQuality& view = request.scene.quality.view;
+    Passes passes(view.passes, view.rest_change);
+    Clock::time_point shown = Clock::now();
+    passes.on_mean = [&](int done, const std::function<Frame()>& mean) {
+      // Early passes change the picture most.
+      constexpr double pause_ms = 200.0;
+      if (done > 2 && milliseconds_since(shown) < pause_ms) return;
+      publish(request, mean(), false, false, done);
+      shown = Clock::now();
+    };
+    passes.after_pass = [&](int, std::optional<float>) { return !is_overtaken(request); };
+    Frame frame = render(request.scene, passes, [&](double share) {
+      tell_share(share);
+      return !is_overtaken(request);
+    });
+    if (is_overtaken(request)) return;
+    publish(request, std::move(frame), false, true, renderer_->stats().passes);
+  }
+
+  Frame render(const SceneSnapshot& scene, const Passes& passes, const Progress& progress) {
+    // After a first pass the maps are there, whatever ends the picture.
+    bool maps_there = false;
+    Passes told = passes;
+    told.on_mean = [&](int done, const std::function<Frame()>& mean) {
+      if (!maps_there) quick_maps_.rendered(scene);
+      maps_there = true;
+      if (passes.on_mean) passes.on_mean(done, mean);
+    };
+    try {
+      return renderer_->render(scene, told, progress);
+    } catch (...) {
+      if (!maps_there) quick_maps_.forget();
+      throw;
+    }
+  }
+
+  void publish(const ViewRequest& request, Frame frame, bool quick, bool at_rest, int passes) {
+    auto picture = std::make_shared<ViewPicture>();
+    picture->frame = std::move(frame);
+    picture->scene = request.scene;
+    picture->number = request.number;
+    picture->quick = quick;
+    picture->at_rest = at_rest;
+    picture->passes = passes;
+    picture->stats = renderer_->stats();
+    picture->render_ms = milliseconds_since(start_);
+    shown_number_ = request.number;
+    shown_size_ = {request.scene.width, request.scene.height};
+    {
+      const std::lock_guard lock(owner_.mutex_);
+      owner_.picture_ = std::move(picture);
+      owner_.status_.error.clear();
+    }
+    owner_.wake_();
+  }
+
+  ViewRenderer& owner_;
+  std::unique_ptr<Renderer> renderer_;
+  InteractiveCost cost_;
+  QuickMaps quick_maps_;
+  Clock::time_point start_;
+  std::uint64_t shown_number_ = 0;
+  ivec2 shown_size_{0};
+};
+
+void ViewRenderer::run() {
+  step_back();
+  Thread thread(*this);
+  for (;;) {
+    ViewRequest request;
+    {
+      std::unique_lock lock(mutex_);
+      status_.is_busy = false;
+      lock.unlock();
+      wake_();
+      lock.lock();
+      news_.wait(lock, [&] { return stopping_ || waiting_; });
+      if (stopping_) return;
+      request = std::move(*waiting_);
+      waiting_.reset();
+      status_.is_busy = true;
+      status_.share = 0.0;
+      ++status_.begun;
+    }
+    try {
+      thread.serve(request);
+    } catch (const RenderCancelled&) {
+      // A newer request waits.
+    } catch (const std::exception& error) {
+      const std::lock_guard lock(mutex_);
+      status_.error = error.what();
+    }
+  }
+}
+
+}  // namespace plinian::window

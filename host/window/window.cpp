@@ -1,0 +1,20 @@
+// Puts window, studio and interface together.
+#include "host/window/window.h"
+
+#include "host/window/interface.h"
+
+namespace plinian::window {
+
+bool can_open_window() {
+  return has_display();
+}
+
+void run_window(const WindowOptions& options) {
+  MainWindow window("Plinian", options.size);
+  Studio studio(MainWindow::wake, options.trace);
+  Interface interface(window, studio);
+  if (!options.input.empty()) studio.begin_with(options.input);
+  while (!studio.quit) interface.turn();
+}
+
+}  // namespace plinian::window

@@ -1,0 +1,22 @@
+// The window of the program: everything in it, until it is closed.
+#pragma once
+
+#include <string>
+
+#include "core/shared/glue.h"
+
+namespace plinian::window {
+
+struct WindowOptions {
+  std::string input = "ash";  // scene, volume or procedural medium to begin with; empty: an empty scene
+  ivec2 size{1440, 900};      // [points]
+  std::string trace;          // file to note in what happens, see Trace; empty: none
+};
+
+/// Opens the window and returns when it is closed. Throws NoDisplay (main_window.h) where there is none.
+void run_window(const WindowOptions& options);
+
+/// Whether the environment names a display.
+bool can_open_window();
+
+}  // namespace plinian::window
