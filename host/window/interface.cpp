@@ -5,23 +5,48 @@
 #include <imgui.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <utility>
 
+#include "core/files/atomic_file.h"
+#include "core/scene/resources.h"
+#include "host/window/panels/menu.h"
+#include "host/window/panels/popups.h"
 #include "host/window/platform/theme.h"
 
 namespace plinian::window {
 
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path panes_file() {
+  const fs::path folder = user_config_folder();
+  return folder.empty() ? folder : folder / "panes";
+}
+
+}  // namespace
+
 Interface::Interface(MainWindow& window, Studio& studio) : window_(window), studio_(studio) {
+  if (std::ifstream file(panes_file()); file)
+    sizes_ = read_pane_sizes({std::istreambuf_iterator<char>(file), {}});
   studio_.draw_meanwhile = [this] { draw_meanwhile(); };
 }
 
 Interface::~Interface() {
   studio_.draw_meanwhile = nullptr;
+  const fs::path path = panes_file();
+  if (path.empty()) return;
+  std::error_code ignored;
+  fs::create_directories(path.parent_path(), ignored);
+  std::ofstream(path) << text_of(sizes_);
 }
 
 // How long nothing need be done where nobody does anything. [s]
 double Interface::patience() const {
   if (redraws_ > 0 || studio_.has_work()) return 0.0;
-  if (studio_.is_hand_on() || studio_.feed.is_computing()) return 0.015;
+  if (studio_.is_hand_on() || studio_.feed.is_computing() || timeline_.is_playing()) return 0.015;
   return studio_.renderer.status().is_busy ? 0.1 : 1.0;
 }
 
@@ -51,6 +76,7 @@ void Interface::turn() {
   if (studio_.feed.update()) redraws_ = std::max(redraws_, 2);
   if (was_computing != studio_.feed.is_computing() || was_hand_on != studio_.is_hand_on() || most > 0.05)
     redraws_ = std::max(redraws_, 1);
+  timeline_.play(studio_);
   studio_.update_picture();
   if (redraws_ > 0 || studio_.renderer.status().is_busy || most == 0.0) {
     draw();
@@ -76,10 +102,12 @@ void Interface::take_input() {
   for (const Chord& chord : window_.take_keys()) {
     // Keys that are typed into a field are the field's.
     if (ImGui::GetIO().WantTextInput) continue;
-    if (const auto action = studio_.hotkeys.action(chord)) studio_.act(*action);
+    if (const auto action = studio_.hotkeys.action(chord)) act(*action);
   }
+  studio_.light_key_held = window_.is_held('L');
   for (const std::string& path : window_.take_dropped()) studio_.open(path);
-  if (window_.take_close_request()) studio_.unless_unsaved([this] { studio_.quit = true; });
+  if (window_.take_close_request() || std::exchange(studio_.wants_quit, false))
+    studio_.unless_unsaved([this] { studio_.quit = true; });
 }
 
 void Interface::draw() {
@@ -87,14 +115,101 @@ void Interface::draw() {
   ImGui::BeginDisabled(!studio_.job.what.empty());
   show_panels();
   ImGui::EndDisabled();
+  show_job(studio_);
   window_.end_frame(vec3(0.09f));
 }
 
+// Playing is the timeline's; the rest needs no panel.
+void Interface::act(Action action) {
+  switch (action) {
+    case Action::play:
+      return timeline_.toggle_play(studio_);
+    case Action::next_frame:
+      return timeline_.step(studio_, 1.0);
+    case Action::previous_frame:
+      return timeline_.step(studio_, -1.0);
+    default:
+      return studio_.act(action);
+  }
+}
+
+// Where two panes meet they can be dragged.
+void Interface::show_splitters(const Panes& panes) {
+  const auto splitter = [&](const char* id, vec2 begin, vec2 size, bool upright, float& value, float change) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0f, 1.0f));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(0.0f, 0.0f, 0.0f, 0.0f));
+    begin_pane(id, {begin, size}, false);
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(2);
+    ImGui::InvisibleButton("##grip", {std::max(size.x, 1.0f), std::max(size.y, 1.0f)});
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive())
+      ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+    if (ImGui::IsItemActive()) {
+      const ImVec2 delta = ImGui::GetIO().MouseDelta;
+      value += (upright ? delta.x : delta.y) * change;
+      studio_.keep_hand_on();
+    }
+    end_pane();
+  };
+  const float gap = scaled(3), top = panes.outliner.begin.y, scale = scaled(100) / 100.0f;
+  const float column = panes.attributes.size.y;
+  splitter("##split left", {panes.outliner.size.x, top}, {gap, column}, true, sizes_.left, 1.0f / scale);
+  splitter("##split right", {panes.attributes.begin.x - gap, top}, {gap, column}, true, sizes_.right,
+           -1.0f / scale);
+  splitter("##split bottom", {panes.console.begin.x, panes.console.begin.y - gap},
+           {panes.console.size.x, gap}, false, sizes_.bottom, -1.0f / scale);
+  splitter("##split outliner", {0.0f, panes.lights.begin.y - gap}, {panes.outliner.size.x, gap}, false,
+           sizes_.outliner, 1.0f / std::max(1.0f, column));
+  sizes_ = read_pane_sizes(text_of(sizes_));  // within what is sensible
+}
+
+void Interface::show_dialogs() {
+  const std::string& path = studio_.session().scene_path();
+  const fs::path folder = path.empty() ? fs::path() : fs::path(path).parent_path();
+  if (std::exchange(studio_.ask_open, false))
+    open_dialog_.open("Open", folder, "", {".plinian", ".vdb", ".json", ".chan", ".exr"}, false);
+  if (std::exchange(studio_.ask_save_as, false))
+    save_dialog_.open("Save as", folder, path.empty() ? "scene.plinian" : fs::path(path).filename().string(),
+                      {".plinian"}, true);
+  if (const auto chosen = open_dialog_.show()) studio_.open(*chosen);
+  if (const auto chosen = save_dialog_.show()) studio_.run("save " + graph::quote(*chosen));
+  show_unsaved_question(studio_);
+  show_hotkey_list(studio_);
+}
+
+void Interface::settle_title() {
+  const std::string& path = studio_.session().scene_path();
+  const std::string title = (path.empty() ? "untitled" : fs::path(path).filename().string()) +
+                            (studio_.session().history().is_modified() ? " *" : "") + " - Plinian";
+  if (title == title_) return;
+  title_ = title;
+  window_.set_title(title);
+}
+
 void Interface::show_panels() {
+  show_menu(studio_);
   const ivec2 room = window_.size();
-  const float line = ImGui::GetFrameHeight();
-  const Panes panes = lay_out(sizes_, vec2(room), line, line, line, scaled(1), false);
-  viewport_.show(studio_, panes.picture, window_.pixel_ratio());
+  const float line = ImGui::GetFrameHeight(), strip = line + scaled(8);
+  const Panes panes =
+      lay_out(sizes_, vec2(room), line, strip, line + scaled(2), scaled(100) / 100.0f, studio_.show_panels);
+  PaneRect above = panes.picture, picture = panes.picture;
+  above.size.y = strip;
+  picture.begin.y += strip;
+  picture.size.y = std::max(1.0f, picture.size.y - strip);
+  show_view_strip(studio_, above);
+  viewport_.show(studio_, picture, window_.pixel_ratio());
+  if (studio_.show_panels) {
+    outliner_.show(studio_, panes.outliner);
+    lights_.show(studio_, panes.lights);
+    attributes_.show(studio_, panes.attributes);
+    timeline_.show(studio_, panes.timeline);
+    console_.show(studio_, panes.console);
+    show_splitters(panes);
+  }
+  show_status(studio_, panes.status);
+  show_dialogs();
+  settle_title();
 }
 
 }  // namespace plinian::window

@@ -3,7 +3,13 @@
 
 #include <chrono>
 
+#include "host/window/panels/attribute_panel.h"
+#include "host/window/panels/console_panel.h"
+#include "host/window/panels/file_dialog.h"
 #include "host/window/panels/layout.h"
+#include "host/window/panels/light_panel.h"
+#include "host/window/panels/outliner_panel.h"
+#include "host/window/panels/timeline_panel.h"
 #include "host/window/panels/viewport_panel.h"
 #include "host/window/platform/main_window.h"
 #include "host/window/studio.h"
@@ -23,6 +29,10 @@ class Interface {
   void draw_meanwhile();
   void take_input();
   void show_panels();
+  void show_splitters(const Panes& panes);
+  void show_dialogs();
+  void act(Action action);
+  void settle_title();
   void note_work(bool waited);
   double patience() const;
 
@@ -30,6 +40,12 @@ class Interface {
   Studio& studio_;
   PaneSizes sizes_;
   ViewportPanel viewport_;
+  OutlinerPanel outliner_;
+  LightPanel lights_;
+  AttributePanel attributes_;
+  TimelinePanel timeline_;
+  ConsolePanel console_;
+  FileDialog open_dialog_, save_dialog_;
   int redraws_ = 3;
   std::string title_;
   std::chrono::steady_clock::time_point work_began_ = std::chrono::steady_clock::now();

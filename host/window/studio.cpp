@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 #include "core/integrate/map_renderer.h"
 #include "core/scene/resources.h"

@@ -94,6 +94,7 @@ class Studio {
 
   // What the panels tell one another.
   bool show_hotkeys = false, show_display = false, show_panels = true;
+  bool light_key_held = false;  // the mouse turns the key light
   bool focus_console = false, wants_quit = false, quit = false;
   bool ask_open = false, ask_save_as = false;
   std::function<void()> after_unsaved;  // what waits for the answer about unsaved changes

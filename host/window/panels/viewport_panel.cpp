@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/graph/model/conversion.h"
+#include "host/window/navigation/key_light.h"
 #include "host/window/platform/theme.h"
 
 namespace plinian::window {
@@ -22,6 +24,14 @@ std::string words_of(const Development& how) {
                                   how.view.ocio_config, how.view.ocio_display, how.view.ocio_view, how.layer);
   for (const std::string& light : how.solo) words += " " + light;
   return words;
+}
+
+dvec3 rotation_of(Studio& studio, graph::NodeId light) {
+  const graph::Node& node = *studio.session().graph().find(light);
+  dvec3 rotation(0.0);
+  for (int i = 0; i < 3; ++i)
+    rotation[i] = graph::number_of(node.value(node.schema->find(std::string("rotate.") + "xyz"[i])));
+  return rotation;
 }
 
 // Text on the picture, readable on white as on black.
@@ -85,7 +95,19 @@ void ViewportPanel::navigate(Studio& studio, bool hovered) {
     moved_ = false;
     last_ = mouse;
   }
-  if (hand_ != Hand::none) {
+  if (hovered && hand_ == Hand::none && studio.light_key_held && ImGui::IsMouseClicked(0)) {
+    light_ = light_to_turn(studio.session().graph());
+    if (light_) {
+      hand_ = Hand::light;
+      moved_ = false;
+      last_ = pressed_ = mouse;
+      light_start_ = rotation_of(studio, light_);
+      merge_key_ = studio.new_merge_key("light");
+    }
+  }
+  if (hand_ == Hand::light) {
+    turn_light(studio, mouse);
+  } else if (hand_ != Hand::none) {
     const int button = hand_ == Hand::tumble ? 0 : hand_ == Hand::track ? 2 : 1;
     const dvec2 delta = mouse - last_;
     if (delta != dvec2(0.0)) {
@@ -104,6 +126,23 @@ void ViewportPanel::navigate(Studio& studio, bool hovered) {
     studio.move_camera(dolly(studio.free_camera(), io.MouseWheel * points_per_notch), !studio.is_hand_on());
     studio.keep_hand_on();
   }
+}
+
+// The whole drag is one edit: from where the light stood to where the mouse is.
+void ViewportPanel::turn_light(Studio& studio, dvec2 mouse) {
+  const graph::Node* node = studio.session().graph().find(light_);
+  if (!node || !ImGui::IsMouseDown(0)) {
+    if (moved_) studio.end_drag();
+    hand_ = Hand::none;
+    return;
+  }
+  if (moved_) studio.keep_hand_on();
+  if (mouse == last_) return;
+  const dvec3 rotation = turned_light(light_start_, mouse - pressed_);
+  studio.run(light_command(node->name, rotation), merge_key_);
+  studio.keep_hand_on();
+  moved_ = true;
+  last_ = mouse;
 }
 
 // What there is to say about the picture, in its corners.
@@ -125,6 +164,7 @@ void ViewportPanel::show_notes(Studio& studio, const PaneRect& pane) {
   if (stale) draw_text(list, at, colour::warning, problems.empty() ? "updating" : "the last good picture");
   if (texture_.shown() && !texture_.shown()->error.empty())
     draw_text(list, at, colour::error, texture_.shown()->error);
+  if (studio.show_display) show_figures(studio, pane);
   // While a picture refines, a thin line runs along its lower edge.
   const ViewRenderer::Status status = studio.renderer.status();
   if (status.is_busy && !studio.is_hand_on()) {
@@ -132,6 +172,41 @@ void ViewportPanel::show_notes(Studio& studio, const PaneRect& pane) {
     list->AddRectFilled({pane.begin.x, y}, {pane.begin.x + pane.size.x * float(status.share), y + scaled(2)},
                         (colour::accent & 0x00ffffff) | 0x90000000);
   }
+}
+
+// What the picture that is up cost.
+void ViewportPanel::show_figures(Studio& studio, const PaneRect& pane) {
+  const ViewPicturePtr picture = studio.renderer.picture();
+  if (!picture) return;
+  const RenderStats& stats = picture->stats;
+  constexpr double mebibyte = 1024.0 * 1024.0;
+  std::uint64_t voxels = 0;
+  for (const Medium& medium : picture->scene.media)
+    if (medium.volume) voxels += medium.volume->active_voxels;
+  const std::vector<std::string> lines = {
+      fmt::format("view     {:7.1f} ms", stats.view_ms),
+      fmt::format("maps     {:7.1f} ms", stats.map_ms),
+      fmt::format("upload   {:7.1f} ms", stats.upload_ms),
+      fmt::format("picture  {:7.1f} ms", picture->render_ms),
+      fmt::format("passes   {:7}", picture->passes),
+      fmt::format("size     {:4}x{}", picture->frame.width, picture->frame.height),
+      fmt::format("maps made{:7}", stats.map_builds),
+      fmt::format("voxels   {:7.2f} M", double(voxels) / 1e6),
+      fmt::format("on GPU   {:7.1f} MiB", double(stats.volume_bytes + stats.map_bytes) / mebibyte),
+      fmt::format("asked    {:7}", studio.renderer.status().begun),
+      fmt::format("overtaken{:7}", studio.renderer.status().dropped)};
+  ImGui::PushFont(fonts().fixed);
+  const float width = ImGui::CalcTextSize("maps made0000000 MiB  ").x,
+              line = ImGui::GetTextLineHeight() + scaled(2);
+  vec2 at(pane.begin.x + pane.size.x - width - scaled(10), pane.begin.y + scaled(10));
+  ImGui::GetWindowDrawList()->AddRectFilled({at.x - scaled(8), at.y - scaled(6)},
+                                            {at.x + width, at.y + line * float(lines.size()) + scaled(6)},
+                                            0xa0101010, scaled(4));
+  for (const std::string& text : lines) {
+    draw_text(ImGui::GetWindowDrawList(), at, 0xffc8c4c2, text);
+    at.y += line;
+  }
+  ImGui::PopFont();
 }
 
 void ViewportPanel::show_pixel(const PaneRect& pane) {

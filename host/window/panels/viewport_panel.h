@@ -17,6 +17,8 @@ class ViewportPanel {
   void take_picture(Studio& studio);
   void navigate(Studio& studio, bool hovered);
   void show_notes(Studio& studio, const PaneRect& pane);
+  void show_figures(Studio& studio, const PaneRect& pane);
+  void turn_light(Studio& studio, dvec2 mouse);
   void show_pixel(const PaneRect& pane);
 
   PictureTexture texture_;
@@ -25,7 +27,10 @@ class ViewportPanel {
   vec2 begin_{0.0f}, end_{0.0f};  // [points] of the picture in the window
   Hand hand_ = Hand::none;
   bool moved_ = false;
-  dvec2 last_{0.0};  // [points] of the mouse
+  dvec2 last_{0.0}, pressed_{0.0};  // [points] of the mouse
+  graph::NodeId light_;             // that is turned
+  dvec3 light_start_{0.0};          // [degrees] its rotation when the mouse was pressed
+  std::string merge_key_;
 };
 
 }  // namespace plinian::window

@@ -181,6 +181,11 @@ std::vector<Chord> MainWindow::take_keys() {
   return std::exchange(events_->keys, {});
 }
 
+bool MainWindow::is_held(char letter) const {
+  // The letters of GLFW's keys are those of ASCII.
+  return !ImGui::GetIO().WantTextInput && glfwGetKey(static_cast<GLFWwindow*>(window_), letter) == GLFW_PRESS;
+}
+
 ivec2 MainWindow::size() const {
   ivec2 size(0);
   glfwGetWindowSize(static_cast<GLFWwindow*>(window_), &size.x, &size.y);

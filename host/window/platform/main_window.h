@@ -46,6 +46,9 @@ class MainWindow {
   /// Keys that were pressed since the last call, in order.
   std::vector<Chord> take_keys();
 
+  /// Whether a letter's key is held down and not being typed into a field.
+  bool is_held(char letter) const;
+
   ivec2 size() const;                                // [points]
   double pixel_ratio() const;                        // pixels per point, of what is drawn
   double interface_scale() const { return scale_; }  // of fonts and distances, as the desktop wants it

@@ -1,0 +1,30 @@
+// The attribute editor: everything that the selected node can be set to.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/window/fields/attribute_rows.h"
+#include "host/window/panels/widgets.h"
+#include "host/window/studio.h"
+
+namespace plinian::window {
+
+class AttributePanel {
+ public:
+  void show(Studio& studio, const PaneRect& pane);
+
+ private:
+  void refresh(Studio& studio);
+  void show_row(Studio& studio, const AttributeRow& row);
+  void show_value(Studio& studio, const AttributeRow& row, float width);
+  void show_numbers(Studio& studio, const AttributeRow& row, float width);
+  void show_colour(Studio& studio, const AttributeRow& row);
+
+  std::uint64_t generation_ = ~std::uint64_t(0);
+  graph::NodeId node_;
+  std::vector<AttributeGroup> groups_;
+  std::string merge_key_;  // of the drag under way
+};
+
+}  // namespace plinian::window

@@ -1,0 +1,119 @@
+// Lines in their colours, and the command line.
+#include "host/window/panels/console_panel.h"
+
+#include <imgui.h>
+
+#include <cstring>
+#include <utility>
+
+#include "host/window/console/completion.h"
+#include "host/window/platform/theme.h"
+
+namespace plinian::window {
+
+namespace {
+
+unsigned colour_of(LineKind kind) {
+  switch (kind) {
+    case LineKind::command:
+      return 0xffcfcac6;
+    case LineKind::answer:
+      return 0xffb9c8a8;
+    case LineKind::warning:
+      return colour::warning;
+    case LineKind::error:
+      return colour::error;
+    case LineKind::note:
+      break;
+  }
+  return colour::faint_text;
+}
+
+struct Both {
+  ConsolePanel* panel;
+  Studio* studio;
+};
+
+}  // namespace
+
+int ConsolePanel::edit(Studio& studio, ImGuiInputTextCallbackData& data) {
+  if (data.EventFlag == ImGuiInputTextFlags_CallbackCompletion) {
+    const std::string line(data.Buf, std::size_t(data.CursorPos));
+    const Completion found = complete(studio.session(), line);
+    if (found.words.empty()) return 0;
+    std::string text = found.common;
+    if (found.words.size() == 1 && !text.ends_with('.')) text += ' ';
+    if (found.common == line.substr(found.begin) && found.words.size() > 1) {
+      std::string listed;
+      for (std::size_t i = 0; i < found.words.size() && i < 40; ++i) listed += found.words[i] + "  ";
+      studio.console.add(LineKind::answer, listed);
+    }
+    data.DeleteChars(int(found.begin), data.CursorPos - int(found.begin));
+    data.InsertChars(int(found.begin), text.c_str());
+  } else if (data.EventFlag == ImGuiInputTextFlags_CallbackHistory) {
+    if (data.EventKey == ImGuiKey_UpArrow && recalled_ > 0) --recalled_;
+    if (data.EventKey == ImGuiKey_DownArrow && recalled_ < typed_.size()) ++recalled_;
+    data.DeleteChars(0, data.BufTextLen);
+    if (recalled_ < typed_.size()) data.InsertChars(0, typed_[recalled_].c_str());
+  }
+  return 0;
+}
+
+void ConsolePanel::show(Studio& studio, const PaneRect& pane) {
+  begin_pane("##console", pane, false);
+  ImGui::PushFont(fonts().fixed);
+  const float line = ImGui::GetFrameHeightWithSpacing();
+  ImGui::BeginChild("##lines", {0.0f, -line}, false, ImGuiWindowFlags_HorizontalScrollbar);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0f, scaled(2)));
+  const bool at_end = ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - 2.0f;
+  ImGuiListClipper clipper;
+  const auto& lines = studio.console.lines();
+  clipper.Begin(int(lines.size()));
+  while (clipper.Step())
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+      const ConsoleLine& entry = lines[std::size_t(i)];
+      const std::string text =
+          entry.repeats > 1 ? entry.text + "  (" + std::to_string(entry.repeats) + " times)" : entry.text;
+      ImGui::PushStyleColor(ImGuiCol_Text, colour_of(entry.kind));
+      ImGui::TextUnformatted(text.c_str());
+      ImGui::PopStyleColor();
+      if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0))
+        ImGui::SetClipboardText(entry.text.c_str());
+    }
+  if (studio.console.changes() != shown_ && (at_end || shown_ == 0)) ImGui::SetScrollHereY(1.0f);
+  shown_ = studio.console.changes();
+  ImGui::PopStyleVar();
+  ImGui::EndChild();
+
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled(">");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(-1.0f);
+  if (studio.focus_console) ImGui::SetKeyboardFocusHere();
+  const bool stay = std::exchange(studio.focus_console, false);
+  Both both{this, &studio};
+  const bool entered = ImGui::InputTextWithHint(
+      "##line", "a command; Tab completes, 'help' lists them", line_, sizeof line_,
+      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackCompletion |
+          ImGuiInputTextFlags_CallbackHistory,
+      [](ImGuiInputTextCallbackData* data) {
+        const Both& b = *static_cast<Both*>(data->UserData);
+        return b.panel->edit(*b.studio, *data);
+      },
+      &both);
+  studio.trace.item("command line", vec2(ImGui::GetItemRectMin().x, ImGui::GetItemRectMin().y),
+                    vec2(ImGui::GetItemRectSize().x, ImGui::GetItemRectSize().y));
+  if (entered && line_[0] != 0) {
+    if (typed_.empty() || typed_.back() != line_) typed_.push_back(line_);
+    recalled_ = typed_.size();
+    studio.run(line_, "", true);
+    line_[0] = 0;
+    studio.focus_console = true;
+  } else if (stay && entered) {
+    studio.focus_console = false;
+  }
+  ImGui::PopFont();
+  end_pane();
+}
+
+}  // namespace plinian::window

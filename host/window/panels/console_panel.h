@@ -1,0 +1,27 @@
+// The console: what was done, as commands, and a line to type more.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/window/panels/widgets.h"
+#include "host/window/studio.h"
+
+struct ImGuiInputTextCallbackData;
+
+namespace plinian::window {
+
+class ConsolePanel {
+ public:
+  void show(Studio& studio, const PaneRect& pane);
+
+ private:
+  int edit(Studio& studio, ImGuiInputTextCallbackData& data);
+
+  char line_[1024] = "";
+  std::vector<std::string> typed_;  // oldest first
+  std::size_t recalled_ = 0;        // place in typed_; its size: a new line
+  std::uint64_t shown_ = 0;         // changes of the log that were scrolled to
+};
+
+}  // namespace plinian::window

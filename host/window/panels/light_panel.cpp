@@ -1,0 +1,90 @@
+// A row for each light.
+#include "host/window/panels/light_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "host/graph/model/conversion.h"
+#include "host/window/fields/arithmetic.h"
+#include "host/window/fields/edit_lines.h"
+#include "host/window/platform/theme.h"
+
+namespace plinian::window {
+
+namespace {
+
+bool is_light(const graph::Node& node) {
+  const std::string& type = node.type->name();
+  return node.schema->find("exposure") != graph::no_attribute && type.find("Light") != type.npos;
+}
+
+}  // namespace
+
+void LightPanel::show_light(Studio& studio, const graph::Node& node) {
+  const graph::Graph& graph = studio.session().graph();
+  ImGui::PushID(int(node.id.value));
+  const graph::AttributeIndex seen = node.schema->find("visibility");
+  bool on = seen == graph::no_attribute || graph::number_of(node.value(seen)) != 0.0;
+  const auto trace = [&](const char* what) {
+    studio.trace.item("light " + node.name + " " + what,
+                      vec2(ImGui::GetItemRectMin().x, ImGui::GetItemRectMin().y),
+                      vec2(ImGui::GetItemRectSize().x, ImGui::GetItemRectSize().y));
+  };
+  if (ImGui::Checkbox("##on", &on))
+    studio.run("setAttr " + node.name + ".visibility " + (on ? "true" : "false"));
+  help("Whether it shines.");
+  trace("on");
+  ImGui::SameLine(0.0f, scaled(4));
+  std::set<std::string>& solo = studio.development.solo;
+  if (toggle("S", solo.contains(node.name),
+             "See the light of this one alone; others of several that are on."))
+    if (!solo.erase(node.name)) solo.insert(node.name);
+  trace("solo");
+  ImGui::SameLine(0.0f, scaled(6));
+  const float field = scaled(74), left = ImGui::GetCursorPosX();
+  const bool selected = std::count(graph.selection().begin(), graph.selection().end(), node.id) > 0;
+  ImGui::AlignTextToFramePadding();
+  const float room = ImGui::GetContentRegionAvail().x - field - scaled(6);
+  if (ImGui::Selectable(node.name.c_str(), selected, 0, {room, 0.0f})) studio.run("select " + node.name);
+  ImGui::SameLine();
+  ImGui::SetCursorPosX(left + room + scaled(6));
+  const graph::AttributeIndex exposure = node.schema->find("exposure");
+  const graph::Plug plug{node.id, exposure};
+  FieldLook look;
+  look.width = field;
+  look.unit = "stops";
+  look.changed = node.stored(exposure) != nullptr;
+  look.driven = node.input(exposure) != nullptr;
+  look.enabled = !look.driven && !node.is_locked(exposure);
+  const double value = number_at(graph, plug);
+  const FieldEdit edit = number_field("##exposure", value, range_of(graph.attribute(plug).spec), look);
+  trace("exposure");
+  if (edit.begun) merge_key_ = studio.new_merge_key("drag");
+  if (edit.dragged)
+    studio.run("setAttr " + node.name + ".exposure " + graph::write_number(*edit.dragged), merge_key_);
+  if (edit.begun || edit.dragged) studio.keep_hand_on();
+  if (edit.ended) studio.end_drag();
+  if (edit.typed)
+    if (const auto number = typed_number(*edit.typed, value))
+      studio.run("setAttr " + node.name + ".exposure " + graph::write_number(*number));
+  ImGui::PopID();
+}
+
+void LightPanel::show(Studio& studio, const PaneRect& pane) {
+  begin_pane("##lights", pane);
+  heading("Lights");
+  const graph::Graph& graph = studio.session().graph();
+  bool any = false;
+  for (const graph::Node* node : graph.nodes())
+    if (is_light(*node)) {
+      show_light(studio, *node);
+      any = true;
+    }
+  // A light that is gone is not seen alone any more.
+  std::erase_if(studio.development.solo, [&](const std::string& name) { return !graph.find(name); });
+  if (!any) ImGui::TextDisabled("The scene has none.");
+  end_pane();
+}
+
+}  // namespace plinian::window

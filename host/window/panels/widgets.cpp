@@ -1,0 +1,210 @@
+// Panes, number fields, toggles.
+#include "host/window/panels/widgets.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "core/shared/view_curve.h"
+#include "host/window/platform/theme.h"
+
+namespace plinian::window {
+
+namespace {
+
+// Of the one field that is dragged or typed into.
+struct {
+  ImGuiID dragged = 0, typed = 0;
+  bool moved = false, focus = false;
+  double anchor_value = 0.0, last_value = 0.0;
+  float anchor_x = 0.0f;  // [points]
+  DragPace pace = DragPace::usual;
+  char text[256] = "";
+} field;
+
+DragPace pace_now() {
+  const ImGuiIO& io = ImGui::GetIO();
+  return io.KeyCtrl ? DragPace::fine : io.KeyShift ? DragPace::coarse : DragPace::usual;
+}
+
+// How far the value is along its slider, for the bar behind the number.
+std::optional<float> share_of(const NumberRange& range, double value) {
+  if (!range.soft_minimum || !range.soft_maximum || *range.soft_maximum <= *range.soft_minimum)
+    return std::nullopt;
+  return float(
+      std::clamp((value - *range.soft_minimum) / (*range.soft_maximum - *range.soft_minimum), 0.0, 1.0));
+}
+
+void draw_field(ImVec2 begin, ImVec2 end, double value, const NumberRange& range, const FieldLook& look,
+                bool hot) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const ImGuiStyle& style = ImGui::GetStyle();
+  list->AddRectFilled(begin, end, ImGui::GetColorU32(hot ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg),
+                      style.FrameRounding);
+  if (const auto share = share_of(range, value); share && *share > 0.0f) {
+    list->PushClipRect(begin, {begin.x + (end.x - begin.x) * *share, end.y}, true);
+    list->AddRectFilled(begin, end, (colour::accent & 0x00ffffff) | 0x2c000000, style.FrameRounding);
+    list->PopClipRect();
+  }
+  const float middle = std::round((begin.y + end.y - ImGui::GetTextLineHeight()) / 2);
+  const unsigned faint = ImGui::GetColorU32(ImGuiCol_TextDisabled);
+  float right = end.x - style.FramePadding.x, left = begin.x + style.FramePadding.x;
+  list->PushClipRect(begin, end, true);
+  if (!look.prefix.empty()) list->AddText({left, middle}, faint, look.prefix.c_str());
+  if (!look.unit.empty()) {
+    const float width = ImGui::CalcTextSize(look.unit.c_str()).x;
+    list->AddText({right - width, middle}, faint, look.unit.c_str());
+    right -= width + scaled(4);
+  }
+  const std::string number = shown_number(value);
+  const unsigned ink = look.driven     ? ImGui::GetColorU32(ImVec4(0.55f, 0.80f, 0.62f, 1.0f))
+                       : !look.enabled ? faint
+                       : look.changed  ? ImGui::GetColorU32(ImVec4(1.0f, 0.97f, 0.92f, 1.0f))
+                                       : ImGui::GetColorU32(ImGuiCol_Text);
+  list->AddText({right - ImGui::CalcTextSize(number.c_str()).x, middle}, ink, number.c_str());
+  list->PopClipRect();
+}
+
+}  // namespace
+
+void begin_pane(const char* id, const PaneRect& pane, bool scrolls) {
+  ImGui::SetNextWindowPos({pane.begin.x, pane.begin.y});
+  ImGui::SetNextWindowSize({pane.size.x, pane.size.y});
+  ImGui::Begin(id, nullptr,
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus |
+                   (scrolls ? 0 : ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse));
+}
+
+void end_pane() {
+  ImGui::End();
+}
+
+void heading(const std::string& text) {
+  ImGui::PushFont(fonts().bold);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopFont();
+}
+
+FieldEdit number_field(const char* id, double value, const NumberRange& range, const FieldLook& look) {
+  FieldEdit edit;
+  const ImGuiID self = ImGui::GetID(id);
+  const ImVec2 begin = ImGui::GetCursorScreenPos();
+  const ImVec2 size(std::max(look.width, scaled(16)), ImGui::GetFrameHeight());
+  if (field.typed == self) {
+    ImGui::SetNextItemWidth(size.x);
+    if (field.focus) ImGui::SetKeyboardFocusHere();
+    const bool entered =
+        ImGui::InputText(id, field.text, sizeof field.text,
+                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    const bool left = !field.focus && !entered && ImGui::IsItemDeactivated();
+    const bool escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    field.focus = false;
+    if (entered || (left && !escaped)) edit.typed = field.text;
+    if (entered || left) field.typed = 0;
+    return edit;
+  }
+  ImGui::InvisibleButton(id, size);
+  const bool hovered = ImGui::IsItemHovered();
+  if (hovered && look.enabled) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  const float x = ImGui::GetIO().MousePos.x;
+  const float scale = scaled(100) / 100.0f;
+  if (ImGui::IsItemActivated() && look.enabled) {
+    field.dragged = self;
+    field.moved = false;
+    field.anchor_value = field.last_value = value;
+    field.anchor_x = x;
+    field.pace = pace_now();
+  }
+  if (field.dragged == self && ImGui::IsItemActive()) {
+    if (!field.moved && std::abs(x - field.anchor_x) >= 3.0f * scale) {
+      field.moved = edit.begun = true;
+      field.anchor_x = x;
+    }
+    if (field.moved) {
+      if (pace_now() != field.pace) {  // the value stays, only the pace is another one from here on
+        field.pace = pace_now();
+        field.anchor_value = field.last_value;
+        field.anchor_x = x;
+      }
+      const double now = dragged(range, field.anchor_value, (x - field.anchor_x) / scale, field.pace);
+      if (now != field.last_value && x != field.anchor_x) {
+        field.last_value = now;
+        edit.dragged = now;
+      }
+    }
+  }
+  if (field.dragged == self && ImGui::IsItemDeactivated()) {
+    field.dragged = 0;
+    edit.ended = field.moved;
+    if (!field.moved && hovered) {
+      field.typed = self;
+      field.focus = true;
+      const std::string text = shown_number(value);
+      std::snprintf(field.text, sizeof field.text, "%s", text.c_str());
+    }
+  }
+  draw_field(begin, {begin.x + size.x, begin.y + size.y}, value, range, look,
+             look.enabled && (hovered || field.dragged == self));
+  return edit;
+}
+
+std::optional<std::string> text_field(const char* id, const std::string& text, float width, bool enabled) {
+  static ImGuiID edited = 0;
+  static char buffer[4096];
+  const ImGuiID self = ImGui::GetID(id);
+  char shown[4096];
+  std::snprintf(shown, sizeof shown, "%s", text.c_str());
+  ImGui::SetNextItemWidth(width);
+  const bool mine = edited == self;
+  const bool entered =
+      ImGui::InputText(id, mine ? buffer : shown, sizeof shown,
+                       ImGuiInputTextFlags_EnterReturnsTrue | (enabled ? 0 : ImGuiInputTextFlags_ReadOnly));
+  if (!mine && ImGui::IsItemActive()) {
+    edited = self;
+    std::memcpy(buffer, shown, sizeof buffer);
+  }
+  if (!mine || !(entered || ImGui::IsItemDeactivated())) return std::nullopt;
+  edited = 0;
+  return enabled && text != buffer ? std::optional<std::string>(buffer) : std::nullopt;
+}
+
+bool toggle(const char* label, bool on, const char* text) {
+  if (on) {
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_Header));
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetColorU32(ImGuiCol_HeaderActive));
+  }
+  const bool pressed = ImGui::Button(label);
+  if (on) ImGui::PopStyleColor(2);
+  help(text);
+  return pressed;
+}
+
+void help(const std::string& text) {
+  if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsMouseDown(0))
+    return;
+  if (GImGui->HoveredIdTimer < 0.5f) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(scaled(340));
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+vec3 display_colour(const vec3& linear) {
+  vec3 colour;
+  for (int i = 0; i < 3; ++i) colour[i] = shared::srgb_from_linear(std::clamp(linear[i], 0.0f, 1.0f));
+  return colour;
+}
+
+vec3 linear_colour(const vec3& display) {
+  vec3 colour;
+  for (int i = 0; i < 3; ++i) colour[i] = shared::linear_from_srgb(std::clamp(display[i], 0.0f, 1.0f));
+  return colour;
+}
+
+}  // namespace plinian::window

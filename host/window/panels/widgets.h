@@ -1,0 +1,53 @@
+// Widgets that several panels share.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/shared/glue.h"
+#include "host/window/fields/number_drag.h"
+#include "host/window/panels/layout.h"
+
+namespace plinian::window {
+
+/// Opens a pane as a window of Dear ImGui that neither moves nor closes. To be followed by end_pane.
+void begin_pane(const char* id, const PaneRect& pane, bool scrolls = true);
+void end_pane();
+
+/// A heading over a pane or a group of widgets.
+void heading(const std::string& text);
+
+/// What was done to a number field in this turn.
+struct FieldEdit {
+  std::optional<double> dragged;      // to this value; the drag goes on
+  std::optional<std::string> typed;   // and confirmed
+  bool begun = false, ended = false;  // a drag
+};
+
+struct FieldLook {
+  float width = 80.0f;   // [pixels of points]
+  std::string prefix;    // "x": drawn faintly before the number
+  std::string unit;      // drawn faintly behind it
+  bool changed = false;  // is not the default
+  bool enabled = true;   // can be edited
+  bool driven = false;   // by a connection
+};
+
+/// A number that is dragged (Ctrl fine, Shift coarse) or, after a click, typed.
+FieldEdit number_field(const char* id, double value, const NumberRange& range, const FieldLook& look);
+
+/// A text that is edited in place and confirmed by Enter or by leaving it.
+std::optional<std::string> text_field(const char* id, const std::string& text, float width,
+                                      bool enabled = true);
+
+/// A button that is on or off.
+bool toggle(const char* label, bool on, const char* help);
+
+/// Help on what is under the pointer, after a moment.
+void help(const std::string& text);
+
+/// The colour of a display for a linear one, brought into range; and back.
+vec3 display_colour(const vec3& linear);
+vec3 linear_colour(const vec3& display);
+
+}  // namespace plinian::window
