@@ -58,8 +58,8 @@ TEST(Usage, TheVersionIsThatOfTheProject) {
 TEST(Usage, AMistypedCommandOrOptionIsToldTheNearestOne) {
   EXPECT_EQ(
       usage_error({"rendr", "ash"}),
-      "plinian: error: rendr: no such command (did you mean 'render'?); there are: render, compare, bench, "
-      "info, make, sheet, run, plugins\n");
+      "plinian: error: rendr: no such command (did you mean 'render'?); there are: view, render, compare, "
+      "bench, info, make, sheet, run, plugins\n");
   EXPECT_TRUE(contains(usage_error({"render", "ash", "--presett", "fast"}),
                        "--presett: no such option (did you mean '--preset'?)"));
   EXPECT_TRUE(

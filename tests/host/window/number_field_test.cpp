@@ -1,0 +1,87 @@
+// Number fields: arithmetic, and what a drag makes of a value.
+#include <gtest/gtest.h>
+
+#include "host/window/fields/arithmetic.h"
+#include "host/window/fields/number_drag.h"
+
+namespace plinian::window {
+namespace {
+
+TEST(Arithmetic, CountsAsOneWouldOnPaper) {
+  const std::pair<const char*, double> truths[] = {
+      {"3", 3.0},    {" 2 + 3 * 4 ", 14.0}, {"(2+3)*4", 20.0}, {"-5", -5.0},      {"1e3/4", 250.0},
+      {"2--3", 5.0}, {".5", 0.5},           {"10/4/5", 0.5},   {"-(1-3)*2", 4.0}, {"+7", 7.0}};
+  for (const auto& [text, value] : truths) {
+    const auto typed = typed_number(text, 100.0);
+    ASSERT_TRUE(typed) << text;
+    EXPECT_DOUBLE_EQ(*typed, value) << text;
+  }
+}
+
+TEST(Arithmetic, ChangesTheValueThatWasThere) {
+  EXPECT_DOUBLE_EQ(*typed_number("*2", 3.0), 6.0);
+  EXPECT_DOUBLE_EQ(*typed_number("/4", 3.0), 0.75);
+  EXPECT_DOUBLE_EQ(*typed_number("+=1/2", 3.0), 3.5);
+  EXPECT_DOUBLE_EQ(*typed_number("-=5", 3.0), -2.0);
+  EXPECT_DOUBLE_EQ(*typed_number(" *= 2+1", 3.0), 9.0);
+}
+
+TEST(Arithmetic, RefusesWhatIsNoNumber) {
+  for (const char* text :
+       {"", " ", "abc", "1+", "(1", "1)", "1/0", "2 3", "=3", "*=", "35mm", "1e999", "0/0", "nan"})
+    EXPECT_FALSE(typed_number(text, 1.0)) << text;
+  EXPECT_FALSE(typed_number(std::string(100000, '('), 1.0)) << "however deep";
+}
+
+NumberRange slider(double low, double high) {
+  NumberRange range;
+  range.soft_minimum = low;
+  range.soft_maximum = high;
+  return range;
+}
+
+TEST(NumberDrag, CrossesTheSoftRangeInThreeHundredPoints) {
+  EXPECT_NEAR(dragged(slider(0.0, 3.0), 0.0, 300.0, DragPace::usual), 3.0, 1e-9);
+  EXPECT_NEAR(dragged(slider(0.0, 3.0), 0.0, 100.0, DragPace::usual), 1.0, 1e-9);
+  EXPECT_NEAR(dragged(slider(0.0, 3.0), 1.0, 100.0, DragPace::fine), 1.1, 1e-9);
+  EXPECT_NEAR(dragged(slider(0.0, 30.0), 10.0, 10.0, DragPace::coarse), 20.0, 1e-9);
+}
+
+TEST(NumberDrag, StaysInTheSoftRangeUnlessItBeganOutside) {
+  EXPECT_EQ(dragged(slider(0.0, 3.0), 2.0, 1e6, DragPace::usual), 3.0);
+  EXPECT_NEAR(dragged(slider(0.0, 3.0), 5.0, 100.0, DragPace::usual), 6.0, 1e-9);
+  NumberRange hard = slider(0.0, 3.0);
+  hard.maximum = 5.5;
+  EXPECT_EQ(dragged(hard, 5.0, 100.0, DragPace::usual), 5.5);
+}
+
+TEST(NumberDrag, WithoutARangeGoesByTheValueItself) {
+  EXPECT_NEAR(dragged({}, 50.0, 100.0, DragPace::usual), 100.0, 1e-9);
+  EXPECT_NEAR(dragged({}, 0.0, -100.0, DragPace::usual), -1.0, 1e-9);
+}
+
+TEST(NumberDrag, LandsOnRoundNumbers) {
+  EXPECT_EQ(shown_number(dragged(slider(0.0, 1.0), 0.123456789, 100.0, DragPace::usual)), "0.457");
+  NumberRange whole;
+  whole.whole = true;
+  EXPECT_EQ(dragged(whole, 3.0, 14.0, DragPace::usual), 4.0);
+}
+
+TEST(NumberDrag, ShowsNoMoreDigitsThanItNeeds) {
+  EXPECT_EQ(shown_number(0.1f), "0.1");
+  EXPECT_EQ(shown_number(-0.0), "0");
+  EXPECT_EQ(shown_number(1234567.0), "1.23457e+06");
+}
+
+TEST(NumberDrag, ARangeThatIsClosedOnBothSidesIsItsOwnSlider) {
+  graph::AttributeSpec spec;
+  spec.minimum = 0.0;
+  spec.maximum = 1.0;
+  EXPECT_EQ(range_of(spec).soft_minimum, 0.0);
+  EXPECT_EQ(range_of(spec).soft_maximum, 1.0);
+  spec.maximum.reset();
+  EXPECT_FALSE(range_of(spec).soft_maximum);
+}
+
+}  // namespace
+}  // namespace plinian::window

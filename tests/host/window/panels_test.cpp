@@ -1,0 +1,209 @@
+// What panels show and send, without a window: rows by schema, commands of fields, console, completion,
+// panes.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "core/scene/placement.h"
+#include "host/scene/workspace.h"
+#include "host/window/console/completion.h"
+#include "host/window/console/console_log.h"
+#include "host/window/fields/attribute_rows.h"
+#include "host/window/fields/edit_lines.h"
+#include "host/window/files/file_list.h"
+#include "host/window/navigation/key_light.h"
+#include "host/window/panels/layout.h"
+
+namespace plinian::window {
+namespace {
+
+namespace fs = std::filesystem;
+
+const AttributeRow* row_of(const std::vector<AttributeGroup>& groups, const std::string& label) {
+  for (const AttributeGroup& group : groups)
+    for (const AttributeRow& row : group.rows)
+      if (row.label == label) return &row;
+  return nullptr;
+}
+
+TEST(AttributeRows, FollowTheDeclaration) {
+  scene::Workspace workspace;
+  graph::Session& session = workspace.session();
+  session.execute("createNode medium -name fog");
+  const auto groups = [&] { return attribute_groups(session.graph(), session.graph().get("fog")); };
+  const AttributeRow* albedo = row_of(groups(), "Albedo");
+  ASSERT_TRUE(albedo);
+  EXPECT_EQ(row_of(groups(), "Sigma s"), nullptr) << "shown only while coefficients reads as sigma";
+  EXPECT_EQ(row_of(groups(), "Look hash"), nullptr) << "hidden";
+  EXPECT_EQ(row_of(groups(), "Out"), nullptr) << "computed";
+  session.execute("setAttr fog.coefficients sigma");
+  EXPECT_EQ(row_of(groups(), "Albedo"), nullptr);
+  const auto now = groups();
+  const AttributeRow* sigma = row_of(now, "Sigma s");
+  ASSERT_TRUE(sigma);
+  EXPECT_EQ(sigma->parts.size(), 3u);
+  EXPECT_EQ(part_label(session.graph(), *sigma, 0), "r");
+  EXPECT_FALSE(sigma->changed);
+  session.execute("setAttr fog.sigma_s 1 2 3");
+  EXPECT_TRUE(row_of(groups(), "Sigma s")->changed);
+  session.execute("resetAttr fog.sigma_s");
+  EXPECT_FALSE(row_of(groups(), "Sigma s")->changed);
+}
+
+TEST(AttributeRows, ThreeNumbersUnderOneNameAreARowAndDeepOnesAGroup) {
+  scene::Workspace workspace;
+  graph::Session& session = workspace.session();
+  session.execute("createNode transform -name place");
+  session.execute("createNode renderSettings -name settings");
+  const auto place = attribute_groups(session.graph(), session.graph().get("place"));
+  ASSERT_TRUE(row_of(place, "Translate"));
+  EXPECT_EQ(row_of(place, "Translate")->parts.size(), 3u);
+  session.execute("setAttr place.translate.y 2");
+  const auto moved = attribute_groups(session.graph(), session.graph().get("place"));
+  EXPECT_TRUE(row_of(moved, "Translate")->changed);
+  const auto settings = attribute_groups(session.graph(), session.graph().get("settings"));
+  const auto map = std::find_if(settings.begin(), settings.end(),
+                                [](const AttributeGroup& g) { return g.title == "Fast · Map"; });
+  ASSERT_NE(map, settings.end());
+  EXPECT_FALSE(map->open);
+  EXPECT_GT(map->rows.size(), 5u);
+}
+
+TEST(EditLines, EditWhatIsSelectedTogether) {
+  scene::Workspace workspace;
+  graph::Session& session = workspace.session();
+  session.execute("createNode directionalLight -name a");
+  session.execute("createNode spotLight -name b");
+  session.execute("createNode camera -name c");
+  session.execute("select a b c");
+  const graph::Plug plug = session.graph().plug("a.exposure");
+  EXPECT_EQ(set_lines(session.graph(), plug, "2"),
+            (std::vector<std::string>{"setAttr a.exposure 2", "setAttr b.exposure 2"}));
+  session.execute("select b");
+  EXPECT_EQ(set_lines(session.graph(), plug, "2"), std::vector<std::string>{"setAttr a.exposure 2"})
+      << "what is not selected is edited alone";
+  EXPECT_EQ(reset_lines(session.graph(), plug), std::vector<std::string>{"resetAttr a.exposure"});
+  EXPECT_EQ(number_at(session.graph(), session.graph().plug("a.colour.g")), 1.0);
+}
+
+// A drag of two lights at once: many commands, one step of undo.
+TEST(EditLines, ADragIsOneStep) {
+  scene::Workspace workspace;
+  graph::Session& session = workspace.session();
+  session.execute("createNode directionalLight -name a");
+  session.execute("createNode directionalLight -name b");
+  session.execute("select a b");
+  const std::size_t before = session.history().undo_names().size();
+  const graph::Plug plug = session.graph().plug("a.exposure");
+  for (const char* value : {"0.1", "0.2", "0.3"})
+    for (const std::string& line : set_lines(session.graph(), plug, value)) session.execute(line, "drag 1");
+  session.history().end_merge();
+  EXPECT_EQ(session.history().undo_names().size(), before + 1);
+  session.execute("undo");
+  EXPECT_EQ(number_at(session.graph(), session.graph().plug("b.exposure")), 0.0);
+}
+
+TEST(ConsoleLog, FoldsADragAndCountsRepeats) {
+  ConsoleLog log;
+  log.echo("setAttr a.exposure 1", "drag 1");
+  log.echo("setAttr b.exposure 1", "drag 1");
+  log.echo("setAttr a.exposure 2", "drag 1");
+  log.echo("setAttr b.exposure 2", "drag 1");
+  ASSERT_EQ(log.lines().size(), 2u);
+  EXPECT_EQ(log.lines()[0].text, "setAttr a.exposure 2");
+  EXPECT_EQ(log.lines()[1].text, "setAttr b.exposure 2");
+  log.echo("setAttr a.exposure 3", "drag 2");
+  EXPECT_EQ(log.lines().size(), 3u) << "another drag";
+  log.add(LineKind::warning, "careful");
+  log.add(LineKind::warning, "careful");
+  EXPECT_EQ(log.lines().back().repeats, 2);
+}
+
+TEST(Completion, KnowsCommandsFlagsNodesAttributesAndTypes) {
+  scene::Workspace workspace;
+  graph::Session& session = workspace.session();
+  session.execute("createNode directionalLight -name key");
+  const auto words = [&](const char* line) { return complete(session, line).words; };
+  EXPECT_EQ(words("setA"), std::vector<std::string>{"setAttr"});
+  EXPECT_EQ(words("setAttr k"), std::vector<std::string>{"key."});
+  EXPECT_EQ(words("setAttr key.expo"), std::vector<std::string>{"key.exposure"});
+  EXPECT_EQ(words("select -r"), std::vector<std::string>{"-remove"});
+  EXPECT_EQ(words("createNode spotL"), std::vector<std::string>{"spotLight"});
+  EXPECT_EQ(complete(session, "setAttr key.rotate_").common, "key.rotate_order");
+  EXPECT_TRUE(words("nonsense k").empty());
+}
+
+TEST(KeyLight, IsTheSelectedOneOrTheOneCalledKey) {
+  scene::Workspace workspace;
+  graph::Session& session = workspace.session();
+  EXPECT_FALSE(light_to_turn(session.graph()));
+  session.execute("createNode directionalLight -name rim");
+  session.execute("createNode directionalLight -name key");
+  session.execute("select -clear");
+  EXPECT_EQ(light_to_turn(session.graph()), session.graph().get("key").id);
+  session.execute("select rim");
+  EXPECT_EQ(light_to_turn(session.graph()), session.graph().get("rim").id);
+}
+
+TEST(KeyLight, ComesFromTheRightWhenItIsDraggedThere) {
+  const dvec3 front(0.0);  // shines along -z: it comes from +z
+  const dvec3 right(rotation_xyz(turned_light(front, {100.0, 0.0}))[2]);
+  EXPECT_GT(right.x, 0.5);
+  EXPECT_NEAR(right.y, 0.0, 1e-3);
+  const dvec3 above(rotation_xyz(turned_light(front, {0.0, -100.0}))[2]);
+  EXPECT_GT(above.y, 0.5);
+  EXPECT_LT(dvec3(rotation_xyz(turned_light(front, {0.0, -1e6}))[2]).y, 1.0) << "never over the top";
+}
+
+TEST(Layout, NothingOverlapsAndThePictureKeepsItsRoom) {
+  for (const vec2 room : {vec2(1440, 900), vec2(720, 480), vec2(2560, 1440)}) {
+    const Panes panes = lay_out({}, room, 22.0f, 30.0f, 24.0f, 1.0f, true);
+    const PaneRect all[] = {panes.menu,       panes.outliner, panes.lights,  panes.picture,
+                            panes.attributes, panes.timeline, panes.console, panes.status};
+    for (const PaneRect& a : all) {
+      EXPECT_GE(a.begin.x, 0.0f);
+      EXPECT_LE(a.begin.x + a.size.x, room.x + 0.5f);
+      EXPECT_LE(a.begin.y + a.size.y, room.y + 0.5f);
+      for (const PaneRect& b : all)
+        if (&a != &b) {
+          const vec2 begin = glm::max(a.begin, b.begin), end = glm::min(a.begin + a.size, b.begin + b.size);
+          EXPECT_FALSE(end.x > begin.x && end.y > begin.y);
+        }
+    }
+    EXPECT_GE(panes.picture.size.x, 199.0f);
+    EXPECT_GE(panes.picture.size.y, 150.0f);
+    EXPECT_GT(lay_out({}, room, 22.0f, 30.0f, 24.0f, 1.0f, false).picture.size.x, panes.picture.size.x);
+  }
+}
+
+TEST(Layout, PanesAreRememberedAndNonsenseIsNot) {
+  PaneSizes sizes;
+  sizes.left = 301.0f;
+  sizes.outliner = 0.5f;
+  EXPECT_EQ(read_pane_sizes(text_of(sizes)).left, 301.0f);
+  EXPECT_EQ(read_pane_sizes(text_of(sizes)).outliner, 0.5f);
+  EXPECT_EQ(read_pane_sizes("left nan\nright 1e9\nwrong").left, PaneSizes().left);
+  EXPECT_LE(read_pane_sizes("right 1e9").right, 1200.0f);
+}
+
+TEST(FileList, CollapsesSequencesAndPutsFoldersFirst) {
+  const fs::path folder = fs::temp_directory_path() / ("plinian_file_list_" + std::to_string(getpid()));
+  fs::create_directories(folder / "sub");
+  for (const char* name : {"smoke.0001.vdb", "smoke.0002.vdb", "smoke.0010.vdb", "one.0001.vdb",
+                           "shot.plinian", "picture.png", ".hidden.vdb"})
+    std::ofstream(folder / name) << "x";
+  std::vector<std::string> labels;
+  for (const FileEntry& entry : list_files(folder, {".vdb", ".plinian"})) labels.push_back(entry.label);
+  EXPECT_EQ(labels,
+            (std::vector<std::string>{"sub/", "one.0001.vdb", "shot.plinian", "smoke.####.vdb  1-10"}));
+  std::string problem;
+  EXPECT_TRUE(list_files(folder / "missing", {}, &problem).empty());
+  EXPECT_NE(problem.find("missing"), std::string::npos);
+  fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace plinian::window
