@@ -1,4 +1,4 @@
-// plinian info: what is in a .vdb file or a picture.
+// plinian info: what is in a .vdb file, a picture or a scene.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -12,6 +12,7 @@
 #include "core/scene/renderer.h"
 #include "host/cli/command.h"
 #include "host/cli/console.h"
+#include "host/cli/info_scene.h"
 #include "host/cli/progress.h"
 #include "host/cli/scene_arguments.h"
 
@@ -33,6 +34,7 @@ Examples:
   plinian info smoke.vdb
   plinian info smoke.vdb --json
   plinian info picture.exr
+  plinian info shot.plinian
 The names of grids are those that --grid takes; a grid that cannot be density says why.)";
 
 // Text columns as wide as their widest cell.
@@ -192,6 +194,10 @@ int run_info(const InfoArguments& arguments) {
     print_image(arguments.file, read_image(arguments.file), arguments.json);
     return exit_success;
   }
+  if (extension == ".plinian") {
+    print(scene_info(arguments.file, arguments.json));
+    return exit_success;
+  }
   VdbOptions options;
   options.time_limit_s = arguments.time_limit_s;
   if (!arguments.memory_limit.empty())
@@ -216,7 +222,7 @@ int run_info(const InfoArguments& arguments) {
 Run set_up_info(CLI::App& app) {
   auto arguments = std::make_shared<InfoArguments>();
   app.footer(examples);
-  app.add_option("FILE", arguments->file, "a .vdb file, or a picture")->required();
+  app.add_option("FILE", arguments->file, "a .vdb file, a picture or a .plinian scene")->required();
   app.add_flag("--json", arguments->json, "for scripts");
   app.add_option("--vdb-time-limit", arguments->time_limit_s, "for reading a .vdb (grows with the file)")
       ->type_name("SECONDS")

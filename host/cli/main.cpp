@@ -24,7 +24,7 @@ constexpr Command commands[] = {
     {"render", "make a picture of a volume or a scene", set_up_render},
     {"compare", "measure how far one picture is from another", set_up_compare},
     {"bench", "time maps, frames and edits on this machine", set_up_bench},
-    {"info", "show what is in a .vdb file or a picture", set_up_info},
+    {"info", "show what is in a .vdb file, a picture or a scene", set_up_info},
     {"make", "write a procedural medium to a .vdb file", set_up_make},
     {"sheet", "pictures side by side, with heat maps", set_up_sheet},
     {"run", "run a script of commands on a scene", set_up_run},
@@ -117,9 +117,11 @@ std::string command_line_of(int argc, char** argv) {
 }
 
 // Without a command the window opens, on a file where one is named and on a display where there is one.
+// "help render" is "render --help".
 std::vector<char*> with_command(int argc, char** argv) {
-  static char view[] = "view";
+  static char view[] = "view", help[] = "--help";
   std::vector<char*> words(argv, argv + argc);
+  if (argc > 2 && std::string(argv[1]) == "help") return {argv[0], argv[2], help};
   if (!window::can_open_window()) return words;
   std::error_code ignored;
   const auto names = command_names();

@@ -123,8 +123,10 @@ int list_types(graph::Session& session) {
 
 int describe_type(graph::Session& session, const std::string& name) {
   const graph::NodeTypePtr type = session.types().get(name);
-  std::string text = fmt::format("{}, version {}, of the plug-in {}: {}\n", type->name(), type->version(),
-                                 type->spec().plugin, type->spec().help);
+  const std::string plugin = type->spec().plugin;
+  std::string text =
+      fmt::format("{}, version {}, {}: {}\n", type->name(), type->version(),
+                  plugin.empty() ? "part of the program" : "of the plug-in " + plugin, type->spec().help);
   for (const graph::AttributeIndex index : type->schema()->top())
     describe_attribute(*type->schema(), index, text);
   print(text);

@@ -221,11 +221,12 @@ void apply_edit(scene::Workspace& workspace, const SceneEdit& edit) {
 void tell_shown_frames(PreparedScene& scene) {
   graph::Session& session = scene.workspace->session();
   for (const graph::Node* node : readers_of(session.graph())) {
+    const auto frame = output_of(session, *node, "frame");
+    if (!frame) continue;
     const std::string file = graph::expand_path(
         std::get<std::string>(node->value(node->schema->find("file"))), session.scene_folder());
     const auto pattern = FramePattern::parse(file);
-    const auto frame = output_of(session, *node, "frame");
-    if (!pattern || fs::exists(file) || !frame) continue;
+    if (!pattern || fs::exists(file)) continue;
     const std::vector<int> frames = pattern->frames_on_disk();
     if (frames.empty()) continue;
     scene.notes.push_back(fmt::format("{}: the picture is of frame {} (--frames {}-{} makes one of each)",
@@ -245,6 +246,7 @@ SceneSnapshot take_snapshot(PreparedScene& scene) {
   scene::BuiltSnapshot built = build_snapshot(session, scene.workspace->view());
   if (!built.problems.empty()) throw std::runtime_error(built.problems.front());
   for (const std::string& line : built.notes) {
+    if (std::find(scene.notes.begin(), scene.notes.end(), line) != scene.notes.end()) continue;  // of frames
     note(line);
     scene.notes.push_back(line);
   }

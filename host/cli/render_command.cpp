@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "host/cli/picture.h"
 #include "host/graph/graph_error.h"
@@ -16,6 +17,7 @@ namespace {
 struct Kept {
   std::string wanted;
   NamedRenderer renderer;
+  std::set<std::string> told;  // once is enough
 };
 
 graph::CommandResult render(scene::Workspace& workspace, Kept& kept, const graph::Arguments& words) {
@@ -43,7 +45,8 @@ graph::CommandResult render(scene::Workspace& workspace, Kept& kept, const graph
   }
   const scene::BuiltSnapshot built = build_snapshot(workspace.session(), view);
   if (!built.problems.empty()) throw graph::GraphError("render: " + built.problems.front());
-  for (const std::string& line : built.notes) workspace.session().note(line);
+  for (const std::string& line : built.notes)
+    if (kept.told.insert(line).second) workspace.session().note(line);
   const Picture picture = make_picture(kept.renderer, built.snapshot, arguments, "", "rendering");
   if (picture.cut_short) throw RenderCancelled();
   write_image(output, picture.image, writing);

@@ -71,8 +71,11 @@ Arguments parse_arguments(const CommandSpec& spec, const std::vector<Word>& word
     if (flag == spec.flags.end()) {
       std::vector<std::string> known;
       for (const CommandFlag& other : spec.flags) known.push_back("-" + other.name);
+      const std::string meant = did_you_mean(words[i].text, known);
       throw GraphError(spec.name + ": unknown flag " + shown(words[i].text) +
-                       did_you_mean(words[i].text, known));
+                       (!meant.empty()  ? meant
+                        : known.empty() ? "; it takes none"
+                                        : "; there are: " + join(known)));
     }
     if (arguments.has(name)) throw GraphError(spec.name + ": -" + name + " is given twice");
     if (!flag->takes) {

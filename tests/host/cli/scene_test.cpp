@@ -156,6 +156,17 @@ TEST_F(Program, AScriptThatBringsAVolumeAndRendersShowsIt) {
   EXPECT_EQ(picture("a.exr").height, 30);
   EXPECT_EQ(picture("b.exr").width, 20);
   EXPECT_GT(mean_of(picture("a.exr"), "key.G"), 0.01);
+  // What stands in is told once.
+  folder_.write("again.pln",
+                "createNode atfmVolume -name ball\nsetAttr ball.draw sphere\nrender c.exr -renderer cpu "
+                "-passes 1 -size 8x8\n"
+                "render d.exr -renderer cpu -passes 1 -size 8x8\n");
+  const Ended again = run({"run", "again.pln"});
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_GT(mean_of(picture("d.exr"), "A"), 0.1);
+  const std::size_t told = again.err.find("the scene has no lights");
+  ASSERT_NE(told, std::string::npos);
+  EXPECT_EQ(again.err.find("the scene has no lights", told + 1), std::string::npos) << again.err;
   folder_.write("wrong.pln", "import ash.vdb\nrender a.exr -size 40\n");
   const Ended wrong = run({"run", "wrong.pln", "--quiet"});
   EXPECT_EQ(wrong.code, 1);
@@ -234,6 +245,20 @@ TEST_F(Program, ListsPluginsTypesAndCommands) {
   EXPECT_NE(run({"plugins", "--commands"}).out.find("setAttr"), std::string::npos);
   EXPECT_NE(run({"plugins", "--command", "render"}).out.find("renderer"), std::string::npos);
   EXPECT_NE(run({"plugins", "--type", "mediun"}).err.find("(did you mean 'medium'?)"), std::string::npos);
+}
+
+TEST_F(Program, TellsWhatIsInAScene) {
+  render({"sphere", "-o", "a.exr", "--save-scene", "a.plinian"});
+  const Ended text = run({"info", "a.plinian"});
+  EXPECT_EQ(text.code, 0) << text.err;
+  EXPECT_NE(text.out.find("medium_shape  atfmVolume        under medium_place\n"), std::string::npos)
+      << text.out;
+  const json report = json::parse(run({"info", "a.plinian", "--json"}).out);
+  EXPECT_EQ(report["kind"], "scene");
+  EXPECT_EQ(report["nodes"][0]["type"], "time");
+  const Ended without = run({"info", "a.plinian"}, {.environment = {{"PLINIAN_PLUGINS", "/nowhere"}}});
+  EXPECT_EQ(without.code, 0);
+  EXPECT_NE(without.err.find("it needs the plug-in atfm"), std::string::npos) << without.err;
 }
 
 TEST_F(Program, VariantsStandOnASheet) {

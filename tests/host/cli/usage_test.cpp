@@ -39,6 +39,13 @@ TEST(Usage, EveryCommandHasHelpWithExamples) {
   }
 }
 
+TEST(Usage, HelpOfACommandIsTheSameEitherWay) {
+  const Ended ended = plinian_program({"help", "compare"});
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_EQ(ended.out, plinian_program({"compare", "--help"}).out);
+  EXPECT_EQ(plinian_program({"help", "comapre"}).code, 2);
+}
+
 TEST(Usage, QualityAndSceneKeysAreListed) {
   const Ended quality = plinian_program({"render", "--help-quality"});
   EXPECT_EQ(quality.code, 0);
