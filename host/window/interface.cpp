@@ -55,10 +55,8 @@ void Interface::note_work(bool waited) {
   const auto now = std::chrono::steady_clock::now();
   if (!waited) {
     const double ms = std::chrono::duration<double, std::milli>(now - work_began_).count();
-    if (ms > longest_work_ms_) {
-      longest_work_ms_ = ms;
+    if (constexpr double worth_telling_ms = 50.0; ms > worth_telling_ms)
       studio_.trace.note(fmt::format("stall {:.1f}", ms));
-    }
   }
   work_began_ = now;
 }
@@ -103,6 +101,10 @@ void Interface::take_input() {
     // Keys that are typed into a field are the field's.
     if (ImGui::GetIO().WantTextInput) continue;
     if (const auto action = studio_.hotkeys.action(chord)) act(*action);
+  }
+  if (const bool typing = ImGui::GetIO().WantTextInput; typing != typing_) {
+    typing_ = typing;
+    studio_.trace.note(typing ? "keys to a field" : "keys to the window");
   }
   studio_.light_key_held = window_.is_held('L');
   for (const std::string& path : window_.take_dropped()) studio_.open(path);

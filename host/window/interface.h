@@ -49,7 +49,7 @@ class Interface {
   int redraws_ = 3;
   std::string title_;
   std::chrono::steady_clock::time_point work_began_ = std::chrono::steady_clock::now();
-  double longest_work_ms_ = 0.0;  // between two looks at what the user does
+  bool typing_ = false;  // keys are a field's
 };
 
 }  // namespace plinian::window

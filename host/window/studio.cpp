@@ -133,8 +133,8 @@ void Studio::run(const std::string& line, const std::string& merge_key, bool typ
 }
 
 void Studio::run_now(const std::string& line, const std::string& merge_key, bool typed) {
-  if (typed) merge_key_.clear();
   merge_key_ = merge_key;
+  const double begin = trace.milliseconds();
   try {
     for (const std::string& answer : session().execute(line, merge_key))
       if (typed) console.add(LineKind::answer, answer);
@@ -143,6 +143,7 @@ void Studio::run_now(const std::string& line, const std::string& merge_key, bool
     console.add(LineKind::error, error.what());
   }
   merge_key_.clear();
+  if (trace.is_on()) trace.note(fmt::format("ran {} ({:.1f} ms)", line, trace.milliseconds() - begin));
 }
 
 void Studio::end_drag() {
@@ -196,6 +197,9 @@ void Studio::begin_with(const std::string& input) {
       return;
     }
     import_whole(input);
+    // What one tunes first is there to be tuned.
+    if (const graph::Node* medium = scene::first_of_type(session().graph(), "medium"))
+      session().editor().select({medium->id});
     // What one begins with is no edit.
     session().history().clear();
     session().history().mark_saved();

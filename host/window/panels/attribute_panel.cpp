@@ -112,7 +112,7 @@ void AttributePanel::show_row(Studio& studio, const AttributeRow& row) {
   const graph::Graph& graph = studio.session().graph();
   ImGui::PushID(row.name.c_str());
   const float whole = ImGui::GetContentRegionAvail().x;
-  const float mark = scaled(16), label = std::round(whole * 0.36f);
+  const float mark = scaled(16), label = std::round(whole * 0.41f);
   const ImVec2 begin = ImGui::GetCursorScreenPos();
   ImGui::AlignTextToFramePadding();
   ImGui::PushClipRect(begin, {begin.x + label - scaled(4), begin.y + ImGui::GetFrameHeight()}, true);

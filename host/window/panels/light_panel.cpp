@@ -37,9 +37,15 @@ void LightPanel::show_light(Studio& studio, const graph::Node& node) {
   trace("on");
   ImGui::SameLine(0.0f, scaled(4));
   std::set<std::string>& solo = studio.development.solo;
-  if (toggle("S", solo.contains(node.name),
-             "See the light of this one alone; others of several that are on."))
-    if (!solo.erase(node.name)) solo.insert(node.name);
+  const bool sky = node.type->name() == "ambientLight";
+  bool& ambient = studio.development.solo_ambient;
+  if (toggle("S", sky ? ambient : solo.contains(node.name),
+             "See only what this one lights, and others with a lit S.")) {
+    if (sky)
+      ambient = !ambient;
+    else if (!solo.erase(node.name))
+      solo.insert(node.name);
+  }
   trace("solo");
   ImGui::SameLine(0.0f, scaled(6));
   const float field = scaled(74), left = ImGui::GetCursorPosX();

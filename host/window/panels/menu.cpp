@@ -189,10 +189,13 @@ void show_view_strip(Studio& studio, const PaneRect& pane) {
                "The original method instead of adaptive maps (T), for this view only."))
       studio.act(Action::original_maps);
   }
-  if (!how.solo.empty()) {
+  if (!how.solo.empty() || how.solo_ambient) {
     ImGui::SameLine(0.0f, scaled(6));
     ImGui::PushStyleColor(ImGuiCol_Text, colour::changed);
-    if (ImGui::Button("solo")) how.solo.clear();
+    if (ImGui::Button("solo")) {
+      how.solo.clear();
+      how.solo_ambient = false;
+    }
     ImGui::PopStyleColor();
     help("Lights are seen alone; click to see everything.");
   }

@@ -20,8 +20,9 @@ ImVec2 to_im(vec2 v) {
 }
 
 std::string words_of(const Development& how) {
-  std::string words = fmt::format("{} {} {} {} {} {}", int(how.view.view), how.view.exposure,
-                                  how.view.ocio_config, how.view.ocio_display, how.view.ocio_view, how.layer);
+  std::string words =
+      fmt::format("{} {} {} {} {} {} {}", how.solo_ambient, int(how.view.view), how.view.exposure,
+                  how.view.ocio_config, how.view.ocio_display, how.view.ocio_view, how.layer);
   for (const std::string& light : how.solo) words += " " + light;
   return words;
 }

@@ -59,6 +59,7 @@ void set_theme(double scale) {
 
   ImGuiStyle style;
   style.WindowPadding = {8, 8};
+  style.WindowMinSize = {1, 1};
   style.FramePadding = {7, 3};
   style.ItemSpacing = {8, 5};
   style.ItemInnerSpacing = {6, 4};

@@ -19,8 +19,9 @@ float alpha_of(vec3 transmittance) {
 
 std::vector<vec3> layer_of(const Frame& frame, const Development& how) {
   const std::size_t pixels = frame.beauty.size();
-  if (!how.solo.empty()) {
+  if (!how.solo.empty() || how.solo_ambient) {
     std::vector<vec3> sum(pixels, vec3(0.0f));
+    if (how.solo_ambient) add(sum, frame.ambient);
     for (const LightLayer& light : frame.lights)
       if (how.solo.contains(light.name)) add(sum, light.radiance);
     return sum;

@@ -22,6 +22,7 @@ namespace plinian::window {
 struct Development {
   ViewSettings view;
   std::set<std::string> solo;  // lights that are seen alone; empty: all, with everything else
+  bool solo_ambient = false;   // ... and the sky's
   std::string layer;           // beauty (or empty), alpha, depth, emission, ambient
 };
 

@@ -8,6 +8,7 @@
 
 #include "host/window/view/interactive_cost.h"
 #include "host/window/view/quick_maps.h"
+#include "host/window/view/relight.h"
 
 namespace plinian::window {
 
@@ -73,8 +74,8 @@ class ViewRenderer::Thread {
   void serve(const ViewRequest& request) {
     if (!renderer_) renderer_ = owner_.make_();
     start_ = Clock::now();
-    if (!refines(request)) render_quick(request);
-    if (!request.hand_on && !is_overtaken(request)) render_to_rest(request);
+    if (!refines(request) && !relight(request)) render_quick(request);
+    if (!request.hand_on && !is_overtaken(request) && !at_rest_) render_to_rest(request);
   }
 
  private:
@@ -95,6 +96,17 @@ class ViewRenderer::Thread {
   void tell_share(double share) const {
     const std::lock_guard lock(owner_.mutex_);
     owner_.status_.share = share;
+  }
+
+  // From the layers of what was rendered last, where only the power of lights is another one.
+  bool relight(const ViewRequest& request) {
+    if (!rendered_) return false;
+    std::optional<Frame> frame = relit(rendered_->frame, rendered_->scene, request.scene);
+    if (!frame) return false;
+    const ViewPicturePtr base = rendered_;
+    publish(request, std::move(*frame), base->quick, base->at_rest, base->passes);
+    rendered_ = base;  // the next one is made of it, too: nothing is lost by many
+    return true;
   }
 
   // A quick picture is finished whatever comes: else a hand that never rests would see none.
@@ -160,6 +172,8 @@ class ViewRenderer::Thread {
     picture->passes = passes;
     picture->stats = renderer_->stats();
     picture->render_ms = milliseconds_since(start_);
+    rendered_ = picture;
+    at_rest_ = at_rest;
     shown_number_ = request.number;
     shown_size_ = {request.scene.width, request.scene.height};
     {
@@ -175,6 +189,8 @@ class ViewRenderer::Thread {
   InteractiveCost cost_;
   QuickMaps quick_maps_;
   Clock::time_point start_;
+  ViewPicturePtr rendered_;
+  bool at_rest_ = false;
   std::uint64_t shown_number_ = 0;
   ivec2 shown_size_{0};
 };

@@ -1,9 +1,11 @@
 // What a quick picture costs, what it may reuse, and when two snapshots show the same.
 #include <gtest/gtest.h>
 
+#include "core/integrate/map_renderer.h"
 #include "host/window/view/developer.h"
 #include "host/window/view/interactive_cost.h"
 #include "host/window/view/quick_maps.h"
+#include "host/window/view/relight.h"
 #include "host/window/view/same_picture.h"
 
 namespace plinian::window {
@@ -88,6 +90,51 @@ TEST(SamePicture, CountsWhatIsSeenAndNothingElse) {
   EXPECT_TRUE(differs([](SceneSnapshot& s) { s.background = vec3(0.1f); }));
   EXPECT_TRUE(differs([](SceneSnapshot& s) { s.width = 100; }));
   EXPECT_FALSE(differs([](SceneSnapshot& s) { s.quality.name = "mine"; }));
+}
+
+// What is made of layers is what would have been rendered.
+TEST(Relight, IsWhatARendererWouldMakeOfTheOtherLight) {
+  SceneSnapshot scene = ball();
+  scene.width = scene.height = 48;
+  scene.ambient = vec3(0.1f, 0.2f, 0.3f);
+  scene.background = vec3(0.05f);
+  scene.lights.push_back(scene.lights[0]);
+  scene.lights[1].name = "rim";
+  scene.lights[1].toward = vec3(-1.0f, 0.0f, 0.0f);
+  SceneSnapshot wanted = scene;
+  wanted.lights[0].exposure = 1.5f;
+  wanted.lights[1].colour = vec3(1.0f, 0.5f, 0.0f);
+  wanted.ambient = vec3(0.05f, 0.2f, 0.6f);
+  const auto renderer = make_map_renderer();
+  const Frame before = renderer->render(scene, 1), truth = renderer->render(wanted, 1);
+  const auto made = relit(before, scene, wanted);
+  ASSERT_TRUE(made);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < truth.beauty.size(); ++i)
+    for (int c = 0; c < 3; ++c)
+      largest = std::max(largest, double(std::abs(made->beauty[i][c] - truth.beauty[i][c])));
+  EXPECT_LT(largest, 1e-5);
+  double change = 0.0;
+  for (std::size_t i = 0; i < truth.beauty.size(); ++i)
+    change = std::max(change, double(std::abs(before.beauty[i].x - truth.beauty[i].x)));
+  EXPECT_GT(change, 0.05) << "there was something to be made";
+}
+
+TEST(Relight, RefusesWhatItCannotTell) {
+  SceneSnapshot scene = ball();
+  scene.width = scene.height = 8;
+  const Frame frame = make_map_renderer()->render(scene, 1);
+  const auto refuses = [&](auto change) {
+    SceneSnapshot wanted = scene;
+    change(wanted);
+    return !relit(frame, scene, wanted);
+  };
+  EXPECT_FALSE(refuses([](SceneSnapshot& s) { s.lights[0].exposure = -1.0f; }));
+  EXPECT_TRUE(refuses([](SceneSnapshot& s) { s.lights[0].toward = vec3(1.0f, 0.0f, 0.0f); }));
+  EXPECT_TRUE(refuses([](SceneSnapshot& s) { s.lights.clear(); }));
+  EXPECT_TRUE(refuses([](SceneSnapshot& s) { s.media[0].density_scale = 2.0f; }));
+  EXPECT_TRUE(refuses([](SceneSnapshot& s) { s.ambient = vec3(0.1f); }))
+      << "what was dark has no layer to scale";
 }
 
 TEST(Development, ShowsLightsAloneLayersAndAlpha) {

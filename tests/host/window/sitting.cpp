@@ -1,0 +1,335 @@
+#include "tests/host/window/sitting.h"
+
+#include <X11/XKBlib.h>
+#include <X11/Xlib.h>
+#include <X11/Xutil.h>
+#include <X11/extensions/XTest.h>
+#include <X11/keysym.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+namespace plinian {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+struct Sitting::State {
+  pid_t server = -1, program = -1;
+  std::string display_name;
+  Display* display = nullptr;
+  Window window = 0;
+  std::ifstream trace;
+  std::string rest;  // of a line that is not ended yet
+};
+
+namespace {
+
+pid_t start(const std::vector<std::string>& words, const std::function<void()>& prepare) {
+  std::vector<std::string> kept = words;
+  std::vector<char*> argv;
+  for (std::string& word : kept) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  const pid_t child = fork();
+  if (child == 0) {
+    prepare();
+    execvp(argv[0], argv.data());
+    _exit(127);
+  }
+  return child;
+}
+
+void end(pid_t& child) {
+  if (child <= 0) return;
+  kill(child, SIGTERM);
+  for (int i = 0; i < 100; ++i) {
+    if (waitpid(child, nullptr, WNOHANG) == child) {
+      child = -1;
+      return;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  child = -1;
+}
+
+Window find_window(Display* display) {
+  Window root = 0, parent = 0, *children = nullptr, found = 0;
+  unsigned count = 0;
+  if (XQueryTree(display, DefaultRootWindow(display), &root, &parent, &children, &count))
+    for (unsigned i = 0; i < count; ++i) {
+      XWindowAttributes attributes;
+      if (XGetWindowAttributes(display, children[i], &attributes) && attributes.map_state == IsViewable &&
+          attributes.width > 100)
+        found = children[i];
+    }
+  if (children) XFree(children);
+  return found;
+}
+
+}  // namespace
+
+std::string Sitting::problem() {
+  std::istringstream folders(std::getenv("PATH") ? std::getenv("PATH") : "");
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (access((fs::path(folder) / "Xvfb").c_str(), X_OK) == 0) return "";
+  return "Xvfb is not installed";
+}
+
+Sitting::Sitting(const std::vector<std::string>& arguments, ivec2 size) : state_(std::make_unique<State>()) {
+  char name[] = "/tmp/plinian_sitting_XXXXXX";
+  if (!mkdtemp(name)) throw std::runtime_error("no temporary folder");
+  folder_ = name;
+  int number[2];
+  if (pipe(number) != 0) throw std::runtime_error("no pipe");
+  const std::string screen = std::to_string(size.x) + "x" + std::to_string(size.y) + "x24";
+  state_->server = start(
+      {"Xvfb", "-displayfd", std::to_string(number[1]), "-screen", "0", screen, "-nolisten", "tcp"}, [] {
+        const int nowhere = open("/dev/null", O_WRONLY);
+        dup2(nowhere, STDERR_FILENO);
+      });
+  ::close(number[1]);
+  char digits[16] = "";
+  for (std::size_t have = 0; have + 1 < sizeof digits;) {
+    const ssize_t more = read(number[0], digits + have, sizeof digits - 1 - have);
+    if (more <= 0) throw std::runtime_error("Xvfb did not start");
+    have += std::size_t(more);
+    if (digits[have - 1] == '\n') break;
+  }
+  ::close(number[0]);
+  state_->display_name = ":" + std::to_string(std::atoi(digits));
+
+  std::vector<std::string> words = {PLINIAN_PROGRAM, "view",
+                                    "--trace",       (folder_ / "trace").string(),
+                                    "--size",        std::to_string(size.x) + "x" + std::to_string(size.y)};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  state_->program = start(words, [&] {
+    setenv("DISPLAY", state_->display_name.c_str(), 1);
+    unsetenv("WAYLAND_DISPLAY");
+    setenv("XDG_CONFIG_HOME", (folder_ / "config").c_str(), 1);
+    const int errors = open((folder_ / "errors").c_str(), O_WRONLY | O_CREAT, 0600);
+    dup2(errors, STDERR_FILENO);
+    if (chdir(folder_.c_str()) != 0) _exit(126);
+  });
+  state_->display = XOpenDisplay(state_->display_name.c_str());
+  if (!state_->display) throw std::runtime_error("the display cannot be opened");
+  wait_for("item \"picture\"");
+  state_->window = find_window(state_->display);
+  if (!state_->window) throw std::runtime_error("there is no window");
+}
+
+Sitting::~Sitting() {
+  end(state_->program);
+  if (state_->display) XCloseDisplay(state_->display);
+  end(state_->server);
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+std::string Sitting::errors() const {
+  std::ifstream file(folder_ / "errors");
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void Sitting::read_trace() {
+  if (!state_->trace.is_open()) state_->trace.open(folder_ / "trace");
+  state_->trace.clear();
+  char buffer[4096];
+  while (state_->trace.read(buffer, sizeof buffer) || state_->trace.gcount() > 0) {
+    state_->rest.append(buffer, std::size_t(state_->trace.gcount()));
+    for (std::size_t end; (end = state_->rest.find('\n')) != std::string::npos;) {
+      lines_.push_back(state_->rest.substr(0, end));
+      state_->rest.erase(0, end + 1);
+    }
+    if (!state_->trace) break;
+  }
+}
+
+const std::vector<std::string>& Sitting::lines() {
+  read_trace();
+  return lines_;
+}
+
+std::size_t Sitting::now() {
+  return lines().size();
+}
+
+std::string Sitting::last_lines() const {
+  std::string text;
+  for (std::size_t i = lines_.size() > 12 ? lines_.size() - 12 : 0; i < lines_.size(); ++i) text += lines_[i] + "\n";
+  return text;
+}
+
+std::size_t Sitting::wait_for(const std::function<bool(const std::string&)>& wanted, std::size_t since) {
+  const Clock::time_point begin = Clock::now();
+  for (std::size_t next = since;;) {
+    read_trace();
+    for (; next < lines_.size(); ++next)
+      if (wanted(lines_[next])) return next;
+    if (state_->program > 0 && waitpid(state_->program, nullptr, WNOHANG) == state_->program) {
+      state_->program = -1;
+      throw std::runtime_error("the program ended: " + errors());
+    }
+    if (Clock::now() - begin > std::chrono::seconds(45))
+      throw std::runtime_error("what was waited for did not come; the trace ends with\n" + last_lines() + errors());
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
+std::size_t Sitting::wait_for(const std::string& words, std::size_t since) {
+  return wait_for([&](const std::string& line) { return line.find(words) != std::string::npos; }, since);
+}
+
+void Sitting::wait_for_keys(const std::string& where) {
+  std::string last = "keys to the window";
+  std::size_t next = 0;
+  for (;;) {
+    for (read_trace(); next < lines_.size(); ++next)
+      if (const std::size_t at = lines_[next].find("keys to "); at != std::string::npos)
+        last = lines_[next].substr(at);
+    if (last == where) return;
+    wait_for("keys to ", next);
+  }
+}
+
+ivec4 Sitting::item(const std::string& name) {
+  const std::string words = "item \"" + name + "\" ";
+  wait_for(words);
+  ivec4 place(0);
+  for (const std::string& line : lines())
+    if (const std::size_t at = line.find(words); at != std::string::npos) {
+      std::istringstream numbers(line.substr(at + words.size()));
+      numbers >> place.x >> place.y >> place.z >> place.w;
+    }
+  return place;
+}
+
+ivec2 Sitting::middle(const std::string& name) {
+  const ivec4 place = item(name);
+  return {place.x + place.z / 2, place.y + place.w / 2};
+}
+
+// Long enough that the window may take notice of each step; nothing depends on whether it does.
+void Sitting::pause() {
+  XSync(state_->display, False);
+  std::this_thread::sleep_for(std::chrono::milliseconds(25));
+}
+
+void Sitting::move(ivec2 to) {
+  XTestFakeMotionEvent(state_->display, -1, to.x, to.y, CurrentTime);
+  pause();
+}
+
+void Sitting::press(unsigned button) {
+  XTestFakeButtonEvent(state_->display, button, True, CurrentTime);
+  pause();
+}
+
+void Sitting::release(unsigned button) {
+  XTestFakeButtonEvent(state_->display, button, False, CurrentTime);
+  pause();
+}
+
+// A turn of the interface lies between the steps of a hand: it tells where it saw the mouse.
+void Sitting::click(ivec2 at, unsigned button) {
+  move(at);
+  pause();
+  press(button);
+  pause();
+  release(button);
+}
+
+void Sitting::drag(ivec2 from, ivec2 to, unsigned button) {
+  move(from);
+  pause();
+  press(button);
+  pause();
+  for (int i = 1; i <= 10; ++i) move(from + (to - from) * i / 10);
+  pause();
+  release(button);
+}
+
+void Sitting::key_down(const char* keysym) {
+  const KeyCode code = XKeysymToKeycode(state_->display, XStringToKeysym(keysym));
+  XTestFakeKeyEvent(state_->display, code, True, CurrentTime);
+  pause();
+}
+
+void Sitting::key_up(const char* keysym) {
+  const KeyCode code = XKeysymToKeycode(state_->display, XStringToKeysym(keysym));
+  XTestFakeKeyEvent(state_->display, code, False, CurrentTime);
+  pause();
+}
+
+void Sitting::stroke(const std::string& keysyms) {
+  std::vector<std::string> names;
+  std::istringstream words(keysyms);
+  for (std::string name; std::getline(words, name, '+');) names.push_back(name);
+  for (const std::string& name : names) key_down(name.c_str());
+  for (auto name = names.rbegin(); name != names.rend(); ++name) key_up(name->c_str());
+}
+
+void Sitting::type(const std::string& text) {
+  for (const char c : text) {
+    const KeySym keysym = KeySym((unsigned char)c);  // Latin-1 is its own
+    const KeyCode code = XKeysymToKeycode(state_->display, keysym);
+    const bool shift = XkbKeycodeToKeysym(state_->display, code, 0, 0) != keysym;
+    if (shift) key_down("Shift_L");
+    XTestFakeKeyEvent(state_->display, code, True, CurrentTime);
+    XSync(state_->display, False);
+    std::this_thread::sleep_for(std::chrono::milliseconds(3));
+    XTestFakeKeyEvent(state_->display, code, False, CurrentTime);
+    XSync(state_->display, False);
+    if (shift) key_up("Shift_L");
+  }
+  pause();
+}
+
+Pixels Sitting::pixels(ivec4 area) {
+  XImage* image = XGetImage(state_->display, DefaultRootWindow(state_->display), area.x, area.y,
+                            unsigned(area.z), unsigned(area.w), AllPlanes, ZPixmap);
+  if (!image) throw std::runtime_error("the screen cannot be read");
+  Pixels pixels{area.z, area.w, {}};
+  for (int y = 0; y < area.w; ++y)
+    for (int x = 0; x < area.z; ++x) {
+      const unsigned long p = XGetPixel(image, x, y);
+      for (const int shift : {16, 8, 0}) pixels.rgb.push_back(std::uint8_t(p >> shift));
+    }
+  XDestroyImage(image);
+  return pixels;
+}
+
+void Sitting::ask_to_close() {
+  XEvent event{};
+  event.xclient.type = ClientMessage;
+  event.xclient.window = state_->window;
+  event.xclient.message_type = XInternAtom(state_->display, "WM_PROTOCOLS", False);
+  event.xclient.format = 32;
+  event.xclient.data.l[0] = long(XInternAtom(state_->display, "WM_DELETE_WINDOW", False));
+  XSendEvent(state_->display, state_->window, False, NoEventMask, &event);
+  XSync(state_->display, False);
+}
+
+int Sitting::exit_code() {
+  for (int i = 0; i < 1500; ++i) {
+    int status = 0;
+    if (waitpid(state_->program, &status, WNOHANG) == state_->program) {
+      state_->program = -1;
+      return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return -1;
+}
+
+}  // namespace plinian

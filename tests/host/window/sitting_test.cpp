@@ -1,0 +1,211 @@
+// The window as somebody who sits before it finds it.
+#include "tests/host/window/sitting.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "core/files/atomic_file.h"
+#include "core/image/image_io.h"
+#include "tests/host/cli/program.h"
+
+namespace plinian {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Where PLINIAN_SITTING_PICTURES names a folder, what was seen is kept there to be looked at.
+void keep(Sitting& sitting, const std::string& name, ivec2 size = {1000, 560}) {
+  const char* folder = std::getenv("PLINIAN_SITTING_PICTURES");
+  if (!folder) return;
+  const Pixels seen = sitting.pixels({0, 0, size.x, size.y});
+  const auto png = encode_png(seen.rgb, seen.width, seen.height);
+  std::ofstream(fs::path(folder) / (name + ".png"), std::ios::binary)
+      .write(reinterpret_cast<const char*>(png.data()), std::streamsize(png.size()));
+}
+
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// Of 8-bit values, as a share of their range. [dB]
+double psnr(const Pixels& a, const std::vector<std::uint8_t>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) {
+    const double d = (double(a.rgb[i]) - double(b[i])) / 255.0;
+    sum += d * d;
+  }
+  return sum > 0.0 ? 10.0 * std::log10(double(a.rgb.size()) / sum) : INFINITY;
+}
+
+std::size_t wait_for_rest(Sitting& sitting, std::size_t since) {
+  return sitting.wait_for(
+      [](const std::string& line) {
+        return line.find("picture") != line.npos && line.find(" rest ") != line.npos &&
+               line.find("passes 0") == line.npos;
+      },
+      since);
+}
+
+// What a picture's line says.
+struct Shown {
+  long number = 0;
+  int width = 0, height = 0;
+  double ms = 0.0;
+};
+Shown shown_in(const std::string& line) {
+  Shown shown;
+  std::istringstream words(line);
+  std::string word;
+  char x;
+  words >> word >> word >> shown.number >> shown.width >> x >> shown.height >> word >> word >> word >>
+      shown.ms;
+  return shown;
+}
+
+void command(Sitting& sitting, const std::string& line) {
+  sitting.click(sitting.middle("command line"));
+  sitting.wait_for_keys("keys to a field");
+  const std::size_t before = sitting.now();
+  sitting.type(line);
+  sitting.stroke("Return");
+  sitting.wait_for("ran " + line.substr(0, line.find(' ')), before);
+}
+
+TEST(Window, WithoutADisplaySaysInOneLineWhatToDoInstead) {
+  const Ended ended = plinian_program({"view"});
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_EQ(ended.error_lines(), 1);
+  EXPECT_NE(ended.err.find("plinian render"), std::string::npos) << ended.err;
+}
+
+class WindowSitting : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (const std::string problem = Sitting::problem(); !problem.empty()) GTEST_SKIP() << problem;
+  }
+};
+
+TEST_F(WindowSitting, LooksTunesTakesBackAndSaves) {
+  Sitting sitting({});
+  std::size_t at = wait_for_rest(sitting, 0);
+  const ivec4 place = sitting.item("picture");
+  keep(sitting, "1-start");
+
+  // At rest the window shows what a batch job renders.
+  sitting.move({5, sitting.middle("node camera").y});
+  command(sitting, "save first.plinian");
+  sitting.move({5, 5});
+  at = sitting.now();
+  const Pixels seen = sitting.pixels(place);
+  const Ended rendered = plinian_program({"render", "first.plinian", "-o", "first.png", "--size",
+                                          std::to_string(place.z) + "x" + std::to_string(place.w), "-q"},
+                                         {.folder = sitting.folder().string()});
+  ASSERT_EQ(rendered.code, 0) << rendered.err;
+  const Image batch = read_image((sitting.folder() / "first.png").string());
+  ASSERT_EQ(batch.width, place.z);
+  std::vector<std::uint8_t> bytes = to_display_bytes(batch, ViewTransform({.view = View::srgb}), false);
+  const double agreement = psnr(seen, bytes);
+  printf("window against batch: %.1f dB\n", agreement);
+  EXPECT_GT(agreement, 60.0);
+
+  // Tumbling changes the picture, `[` brings it back.
+  sitting.key_down("Alt_L");
+  const ivec2 middle = sitting.middle("picture");
+  sitting.drag(middle, middle + ivec2(90, 20));
+  sitting.key_up("Alt_L");
+  sitting.move({5, 5});
+  at = wait_for_rest(sitting, at);
+  const ivec4 wide = sitting.item("picture");
+  EXPECT_GE(wide.z, place.z) << "a camera of one's own fills the pane";
+  keep(sitting, "2-tumbled");
+  EXPECT_LT(psnr(sitting.pixels(place), seen.rgb), 30.0);
+  sitting.stroke("bracketleft");
+  at = wait_for_rest(sitting, at + 1);
+  EXPECT_GT(psnr(sitting.pixels(place), seen.rgb), 60.0) << "the same picture to the bit";
+
+  // A dragged value is one step of undo.
+  sitting.click(sitting.middle("node medium"));
+  const ivec2 field = sitting.middle("medium.density_scale");
+  keep(sitting, "3-selected");
+  const std::size_t before_drag = sitting.now();
+  sitting.drag(field, field + ivec2(60, 0));
+  at = wait_for_rest(sitting, before_drag);
+  keep(sitting, "4-dragged");
+  command(sitting, "save dragged.plinian");
+  EXPECT_NE(text_of(sitting.folder() / "first.plinian"), text_of(sitting.folder() / "dragged.plinian"));
+  sitting.click({sitting.item("picture").x + 3, sitting.item("picture").y + 3});  // out of the command line
+  sitting.wait_for_keys("keys to the window");
+  sitting.stroke("Control_L+z");
+  command(sitting, "save back.plinian");
+  EXPECT_EQ(text_of(sitting.folder() / "first.plinian"), text_of(sitting.folder() / "back.plinian"));
+
+  // The scene that was saved is open; nothing is unsaved, so that the window closes.
+  sitting.ask_to_close();
+  EXPECT_EQ(sitting.exit_code(), 0) << sitting.errors();
+}
+
+// Whatever is being rendered, the interface does not wait for it.
+TEST_F(WindowSitting, AnswersWhileItRenders) {
+  Sitting sitting({});
+  wait_for_rest(sitting, 0);
+  const std::size_t since = sitting.now();
+  sitting.move({5, 5});
+  sitting.stroke("2");
+  sitting.wait_for("ran quality high", since);
+  const ivec2 middle = sitting.middle("picture");
+  sitting.key_down("Alt_L");
+  for (int i = 0; i < 4; ++i) sitting.drag(middle, middle + ivec2(i % 2 ? -80 : 80, 10));
+  sitting.key_up("Alt_L");
+  sitting.key_down("l");
+  sitting.drag(middle, middle + ivec2(-70, -30));
+  sitting.key_up("l");
+  for (const char* node : {"node key", "node medium", "node camera"}) sitting.click(sitting.middle(node));
+  sitting.move({5, 5});
+  const std::size_t sharp = sitting.wait_for(" refining ", sitting.now());
+  const Shown last = shown_in(sitting.line(sharp));
+  keep(sitting, "5-high");
+  double longest = 0.0;
+  int pictures = 0;
+  for (std::size_t i = since; i < sitting.now(); ++i) {
+    const std::string line = sitting.line(i);
+    if (const auto at = line.find(" stall "); at != line.npos)
+      longest = std::max(longest, std::stod(line.substr(at + 7)));
+    pictures += line.find(" picture ") != line.npos;
+  }
+  double at_start = 0.0;
+  for (std::size_t i = 0; i < since; ++i)
+    if (const auto at = sitting.line(i).find(" stall "); at != std::string::npos)
+      at_start = std::max(at_start, std::stod(sitting.line(i).substr(at + 7)));
+  printf(
+      "longest stall at the start %.0f ms, afterwards %.0f ms (0: none over 50); %d pictures; the last "
+      "took %.0f ms\n",
+      at_start, longest, pictures, last.ms);
+  EXPECT_GT(pictures, 3);
+  if (last.ms > 1000.0) {
+    EXPECT_LT(longest, last.ms) << "it waited for a picture";
+  }
+}
+
+TEST_F(WindowSitting, AsksAboutUnsavedChanges) {
+  Sitting sitting({"--empty"});
+  command(sitting, "createNode transform");
+  sitting.ask_to_close();
+  keep(sitting, "6-question");
+  sitting.click(sitting.middle("unsaved cancel"));
+  command(sitting, "save kept.plinian");
+  EXPECT_NE(text_of(sitting.folder() / "kept.plinian").find("node transform transform1"), std::string::npos);
+  command(sitting, "createNode camera");
+  sitting.ask_to_close();
+  sitting.click(sitting.middle("unsaved discard"));
+  EXPECT_EQ(sitting.exit_code(), 0) << sitting.errors();
+  EXPECT_EQ(text_of(sitting.folder() / "kept.plinian").find("node camera"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace plinian
