@@ -30,6 +30,8 @@ double dragged(const NumberRange& range, double start, double points, DragPace p
   const bool slider = range.soft_minimum && range.soft_maximum && *range.soft_maximum > *range.soft_minimum;
   double per_point =
       slider ? (*range.soft_maximum - *range.soft_minimum) / 300.0 : std::max(std::abs(start), 1.0) / 100.0;
+  const bool inside = slider && start >= *range.soft_minimum && start <= *range.soft_maximum;
+  if (slider && !inside) per_point = std::max(per_point, std::abs(start) / 100.0);
   if (range.whole) per_point = std::max(per_point, 0.1);
   if (pace == DragPace::fine) per_point *= 0.1;
   if (pace == DragPace::coarse) per_point *= 10.0;
@@ -41,8 +43,7 @@ double dragged(const NumberRange& range, double start, double points, DragPace p
     const double inverse = std::round(1.0 / grain);
     value = std::round(value * inverse) / inverse;
   }
-  if (slider && start >= *range.soft_minimum && start <= *range.soft_maximum)
-    value = std::clamp(value, *range.soft_minimum, *range.soft_maximum);
+  if (inside) value = std::clamp(value, *range.soft_minimum, *range.soft_maximum);
   if (range.minimum) value = std::max(value, *range.minimum);
   if (range.maximum) value = std::min(value, *range.maximum);
   return value;

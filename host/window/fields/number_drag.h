@@ -16,8 +16,9 @@ struct NumberRange {
 NumberRange range_of(const graph::AttributeSpec& spec);
 
 /// The value after the mouse was dragged that far to the right since it was `start`. [points]. The soft range
-/// is crossed in 300 points; without one, 100 points are the value itself, or 1. A drag stays within the soft
-/// range where it began there, and within the hard one in any case; it lands on round numbers.
+/// is crossed in 300 points; without one, or outside of it, 100 points are the value itself, or 1. A drag
+/// stays within the soft range where it began there, and within the hard one in any case; it lands on round
+/// numbers.
 double dragged(const NumberRange& range, double start, double points, DragPace pace);
 
 /// A number as a field shows it: at most 6 significant digits, no more than it needs.

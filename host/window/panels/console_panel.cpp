@@ -89,8 +89,9 @@ void ConsolePanel::show(Studio& studio, const PaneRect& pane) {
   ImGui::TextDisabled(">");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(-1.0f);
-  if (studio.focus_console) ImGui::SetKeyboardFocusHere();
-  const bool stay = std::exchange(studio.focus_console, false);
+  // What asks a question keeps the keys.
+  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) studio.focus_console = false;
+  if (std::exchange(studio.focus_console, false)) ImGui::SetKeyboardFocusHere();
   Both both{this, &studio};
   const bool entered = ImGui::InputTextWithHint(
       "##line", "a command; Tab completes, 'help' lists them", line_, sizeof line_,
@@ -109,8 +110,6 @@ void ConsolePanel::show(Studio& studio, const PaneRect& pane) {
     studio.run(line_, "", true);
     line_[0] = 0;
     studio.focus_console = true;
-  } else if (stay && entered) {
-    studio.focus_console = false;
   }
   ImGui::PopFont();
   end_pane();

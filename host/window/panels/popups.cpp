@@ -33,6 +33,7 @@ void show_unsaved_question(Studio& studio) {
               path.empty() ? "The scene" : std::filesystem::path(path).filename().c_str());
   ImGui::Spacing();
   const auto trace = [&](const char* name) {
+    if (ImGui::IsWindowAppearing()) return;  // it is not yet where it will be
     studio.trace.item(name, vec2(ImGui::GetItemRectMin().x, ImGui::GetItemRectMin().y),
                       vec2(ImGui::GetItemRectSize().x, ImGui::GetItemRectSize().y));
   };

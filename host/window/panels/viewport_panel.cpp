@@ -165,6 +165,11 @@ void ViewportPanel::show_notes(Studio& studio, const PaneRect& pane) {
   if (stale) draw_text(list, at, colour::warning, problems.empty() ? "updating" : "the last good picture");
   if (texture_.shown() && !texture_.shown()->error.empty())
     draw_text(list, at, colour::error, texture_.shown()->error);
+  if (studio.feed.snapshot() && studio.feed.snapshot()->snapshot.media.empty() && studio.job.what.empty()) {
+    const std::string hint = "Nothing to see yet: drop a .vdb here, or take Scene > Begin with.";
+    const ImVec2 size = ImGui::CalcTextSize(hint.c_str());
+    draw_text(list, pane.begin + (pane.size - vec2(size.x, size.y)) * 0.5f, colour::faint_text, hint);
+  }
   if (studio.show_display) show_figures(studio, pane);
   // While a picture refines, a thin line runs along its lower edge.
   const ViewRenderer::Status status = studio.renderer.status();

@@ -166,7 +166,8 @@ std::size_t Sitting::now() {
 
 std::string Sitting::last_lines() const {
   std::string text;
-  for (std::size_t i = lines_.size() > 12 ? lines_.size() - 12 : 0; i < lines_.size(); ++i) text += lines_[i] + "\n";
+  for (std::size_t i = lines_.size() > 12 ? lines_.size() - 12 : 0; i < lines_.size(); ++i)
+    text += lines_[i] + "\n";
   return text;
 }
 
@@ -181,7 +182,8 @@ std::size_t Sitting::wait_for(const std::function<bool(const std::string&)>& wan
       throw std::runtime_error("the program ended: " + errors());
     }
     if (Clock::now() - begin > std::chrono::seconds(45))
-      throw std::runtime_error("what was waited for did not come; the trace ends with\n" + last_lines() + errors());
+      throw std::runtime_error("what was waited for did not come; the trace ends with\n" + last_lines() +
+                               errors());
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
 }
