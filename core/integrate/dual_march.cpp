@@ -109,7 +109,7 @@ DualMarch::DualMarch(const DualMarchOptions& options) : options_(options) {}
 Frame DualMarch::render(const SceneSnapshot& scene, const Passes& /*passes*/, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   Frame frame = make_frame(scene);
-  const MarchScene march(scene, options_.steps);
+  const ReferenceScene march(scene, options_.steps);
   const CameraRays camera = camera_rays(scene.camera, scene.width, scene.height);
   const auto ray_through = [&](std::uint32_t pixel) {
     const double x = 2.0 * (pixel % scene.width + 0.5) / scene.width - 1.0;

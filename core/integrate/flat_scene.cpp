@@ -193,10 +193,14 @@ std::vector<FlatScene> light_batches(const FlatScene& scene) {
   return batches;
 }
 
+FlatScene light_alone(const FlatScene& scene, std::size_t light) {
+  return part_of(scene, light, light + 1);
+}
+
 std::vector<FlatScene> exact_batches(const FlatScene& scene) {
   std::vector<FlatScene> batches;
   for (std::size_t l = 0; l < scene.lights.size(); ++l) {
-    FlatScene part = part_of(scene, l, l + 1);
+    FlatScene part = light_alone(scene, l);
     part.view.light = LightLookup::march;
     // Further passes shade four times as finely as this says; a march per lookup is too dear for that.
     part.view.quantum = std::min(4.0f * part.view.quantum, 1.0f);

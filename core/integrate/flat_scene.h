@@ -45,6 +45,9 @@ FlatScene flatten(const SceneSnapshot& scene);
 /// counted from zero; media and all else are the same.
 std::vector<FlatScene> light_batches(const FlatScene& scene);
 
+/// The same scene with one of its lights alone.
+FlatScene light_alone(const FlatScene& scene, std::size_t light);
+
 /// The same scene with every light alone and marched instead of read from maps: what approaches the
 /// reference. One light at a time keeps nested marches within what a shader may iterate.
 std::vector<FlatScene> exact_batches(const FlatScene& scene);

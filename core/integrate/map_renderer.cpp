@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/integrate/flat_scene.h"
+#include "core/integrate/map_texel.h"
 #include "core/scene/frame_layers.h"
 #include "core/scene/rest_gauge.h"
 #include "core/shared/pass_weight.h"
@@ -41,22 +42,11 @@ void for_rows(int rows, double begin, double end, const Progress& progress, cons
 
 void build_map(const FlatScene& flat, int map, std::vector<uvec4>& texels, const Progress& progress) {
   const MarchViews views = view_of(flat, nullptr);
-  const MarchScene& scene = views.scene;
   const int size = flat.layout.resolution, words = words_per_texel(flat.layout.coefficients);
   uvec4* out = texels.data() + std::size_t(map) * size * size * words;
   for_rows(size, 0.0, 0.0, progress, [&](int y) {
-    for (int x = 0; x < size; ++x) {
-      const vec2 uv = (vec2(x, y) + 0.5f) / float(size);
-      float c[16];
-      const uint bounds = shared::encode_texel(scene, shared::map_ray_origin(scene, map, uv),
-                                               shared::map_ray_direction(scene, map, uv),
-                                               scene.maps[map].group, scene.maps[map].k_max, flat.encode, c);
-      const auto pair = [&](int j) { return glm::packHalf2x16(vec2(c[j], c[j + 1])); };
-      uvec4* texel = out + (std::size_t(y) * size + x) * words;
-      texel[0] = {pair(0), pair(2), pair(4), bounds};
-      if (words > 1) texel[1] = {pair(6), pair(8), pair(10), pair(12)};
-      if (words > 2) texel[2] = {pair(14), 0u, 0u, 0u};
-    }
+    for (int x = 0; x < size; ++x)
+      write_map_texel(flat, views.scene, map, ivec2(x, y), out + (std::size_t(y) * size + x) * words);
   });
 }
 

@@ -34,7 +34,7 @@ void add_roots(double a, double b, double c, std::vector<double>& out) {
 }
 
 /// Adds the distances where a ray crosses a light's cones and radius: its light has kinks there.
-void add_light_kinks(const MarchScene::LightOptics& light, const Ray& ray, std::vector<double>& out) {
+void add_light_kinks(const ReferenceScene::LightOptics& light, const Ray& ray, std::vector<double>& out) {
   if (light.type == LightType::directional) return;
   const dvec3 v = ray.origin - light.position;
   const double vv = glm::dot(v, v), vd = glm::dot(v, ray.direction);
@@ -49,7 +49,7 @@ void add_light_kinks(const MarchScene::LightOptics& light, const Ray& ray, std::
 
 }  // namespace
 
-RayIntegral::RayIntegral(const MarchScene& scene) : scene_(scene), cursors_(scene.media.size()) {
+RayIntegral::RayIntegral(const ReferenceScene& scene) : scene_(scene), cursors_(scene.media.size()) {
   result_.lights.resize(scene.lights.size());
 }
 
@@ -57,7 +57,7 @@ RayIntegral::RayIntegral(const MarchScene& scene) : scene_(scene), cursors_(scen
 void RayIntegral::cut(const Ray& ray, double near) {
   cuts_.clear();
   for (std::size_t m = 0; m < cursors_.size(); ++m) {
-    const MarchScene::MediumOptics& medium = scene_.media[m];
+    const ReferenceScene::MediumOptics& medium = scene_.media[m];
     Cursor& cursor = cursors_[m];
     cursor.pieces.clear();
     cursor.next = 0;
@@ -73,7 +73,7 @@ void RayIntegral::cut(const Ray& ray, double near) {
   if (cuts_.empty()) return;
   const auto [first, last] = std::minmax_element(cuts_.begin(), cuts_.end());
   const double begin = *first, end = *last;
-  for (const MarchScene::LightOptics& light : scene_.lights)
+  for (const ReferenceScene::LightOptics& light : scene_.lights)
     if (!light.dark) add_light_kinks(light, ray, cuts_);
   std::erase_if(cuts_, [&](double t) { return !(t >= begin && t <= end); });
   if (!std::is_sorted(cuts_.begin(), cuts_.end())) std::sort(cuts_.begin(), cuts_.end());
@@ -109,7 +109,7 @@ bool RayIntegral::fits(double begin, const dvec3& tau_begin, double end, const L
   const dvec3 tau_end = optical_depth(end);
   for (int c = 0; c < 3; ++c)
     if (tau_begin[c] < channel_is_dead && tau_end[c] - tau_begin[c] > limits.optical_depth) return false;
-  for (const MarchScene::LightOptics& light : scene_.lights) {
+  for (const ReferenceScene::LightOptics& light : scene_.lights) {
     if (light.type == LightType::directional || light.dark) continue;
     const double closest = glm::dot(light.position - ray_.origin, ray_.direction);
     const dvec3 point = ray_.origin + ray_.direction * glm::clamp(closest, begin, end);
@@ -132,7 +132,7 @@ void RayIntegral::add(double begin, double end) {
         node_weights_.push_back(dvec3(0.0));
         continue;
       }
-      const MarchScene::MediumOptics& medium = scene_.media[m];
+      const ReferenceScene::MediumOptics& medium = scene_.media[m];
       const dvec3 seen = transmitted * piece->density(t);
       node_weights_.push_back(seen * medium.scattering);
       result_.ambient += seen * medium.scattering * scene_.ambient;
@@ -181,9 +181,9 @@ void RayIntegral::shade() {
     // Each medium and channel has a weight of its own: it shares itself out so that a linear J stays exact,
     // but never beyond the nodes, which keeps every share positive.
     for (std::size_t l = 0; l < scene_.lights.size(); ++l) {
-      const MarchScene::LightOptics& light = scene_.lights[l];
+      const ReferenceScene::LightOptics& light = scene_.lights[l];
       if (light.dark) continue;
-      MarchScene::Arrival arrivals[2];
+      ReferenceScene::Arrival arrivals[2];
       for (int k = 0; k < 2; ++k)
         arrivals[k] = scene_.arrival(light, ray_.origin + ray_.direction * (origin + x[k]));
       for (std::size_t m = 0; m < media; ++m) {
@@ -235,7 +235,7 @@ const RayRadiance& RayIntegral::integrate(const Ray& ray, double near, int level
   double voxel = infinity;
   bool hot = false;  // temperature varies from voxel to voxel
   for (std::size_t m = 0; m < cursors_.size(); ++m) {
-    const MarchScene::MediumOptics& medium = scene_.media[m];
+    const ReferenceScene::MediumOptics& medium = scene_.media[m];
     for (const DensityPiece& piece : cursors_[m].pieces)
       tau_whole += medium.extinction * piece.integral(piece.end);
     // A medium beside the ray counts too: its shadow may fall on this one.

@@ -15,7 +15,7 @@
 
 #include <vector>
 
-#include "core/integrate/march_scene.h"
+#include "core/integrate/reference_scene.h"
 
 namespace plinian {
 
@@ -31,7 +31,7 @@ struct RayRadiance {
 /// Integrates view rays. Holds scratch memory: one per thread.
 class RayIntegral {
  public:
-  explicit RayIntegral(const MarchScene& scene);
+  explicit RayIntegral(const ReferenceScene& scene);
 
   /// Radiance along a ray from `near` [world] on, with steps of 2^-level times the scene's. The result is
   /// valid until the next call.
@@ -59,7 +59,7 @@ class RayIntegral {
   void shade();
   double half_way(double begin, double end) const;
 
-  const MarchScene& scene_;
+  const ReferenceScene& scene_;
   Ray ray_{};
   std::vector<Cursor> cursors_;      // one per medium
   std::vector<double> cuts_;         // [world] sorted

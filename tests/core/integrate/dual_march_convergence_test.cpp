@@ -53,7 +53,7 @@ TEST(DualMarchConvergence, ErrorsFallByMoreThanTheThirdPowerOfTheStep) {
   scene.lights = {sun(toward)};
   MarchSteps steps;
   steps.length = 64.0;  // half of the box
-  const MarchScene march(scene, steps);
+  const ReferenceScene march(scene, steps);
   RayIntegral integral(march);
   double errors[levels] = {}, sum = 0.0;
   for (int i = 0; i < rays; ++i) {

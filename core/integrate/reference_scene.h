@@ -20,11 +20,11 @@ struct MarchSteps {
 };
 
 /// A snapshot prepared for marching; immutable, shared by all threads.
-class MarchScene {
+class ReferenceScene {
  public:
   /// Keeps pointers to the snapshot's volumes. Throws std::invalid_argument for a medium that cannot be
   /// walked or a light without a direction.
-  MarchScene(const SceneSnapshot& scene, const MarchSteps& steps);
+  ReferenceScene(const SceneSnapshot& scene, const MarchSteps& steps);
 
   struct MediumOptics {
     MediumWalk walk;

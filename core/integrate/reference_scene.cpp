@@ -1,4 +1,4 @@
-#include "core/integrate/march_scene.h"
+#include "core/integrate/reference_scene.h"
 
 #include <cmath>
 #include <limits>
@@ -9,7 +9,7 @@
 namespace plinian {
 namespace {
 
-MarchScene::LightOptics prepare(const Light& light) {
+ReferenceScene::LightOptics prepare(const Light& light) {
   const float outer = glm::radians(glm::clamp(0.5f * light.cone_angle, 0.0f, 180.0f));
   const float inner = glm::max(outer - glm::radians(light.penumbra), 0.0f);
   const dvec3 power(light.power());
@@ -30,7 +30,7 @@ MarchScene::LightOptics prepare(const Light& light) {
 
 }  // namespace
 
-MarchScene::MarchScene(const SceneSnapshot& scene, const MarchSteps& steps)
+ReferenceScene::ReferenceScene(const SceneSnapshot& scene, const MarchSteps& steps)
     : ambient(scene.ambient), steps(steps) {
   for (const Medium& medium : scene.media) {
     const dvec3 extinction = double(medium.density_scale) * (dvec3(medium.sigma_s) + dvec3(medium.sigma_a));
@@ -47,7 +47,7 @@ MarchScene::MarchScene(const SceneSnapshot& scene, const MarchSteps& steps)
   for (const Light& light : scene.lights) lights.push_back(prepare(light));
 }
 
-dvec3 MarchScene::transmittance(const Ray& ray, double distance) const {
+dvec3 ReferenceScene::transmittance(const Ray& ray, double distance) const {
   dvec3 tau(0.0);
   for (const MediumOptics& medium : media) {
     // Every channel has to be past the cut-off before the ray may end.
@@ -60,7 +60,7 @@ dvec3 MarchScene::transmittance(const Ray& ray, double distance) const {
   return glm::exp(-tau);
 }
 
-MarchScene::Arrival MarchScene::arrival(const LightOptics& light, dvec3 point) const {
+ReferenceScene::Arrival ReferenceScene::arrival(const LightOptics& light, dvec3 point) const {
   if (light.type == LightType::directional)
     return {light.power * transmittance({point, light.toward}, std::numeric_limits<double>::infinity()),
             light.toward};
