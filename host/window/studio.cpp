@@ -8,6 +8,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/integrate/dual_march.h"
 #include "core/integrate/map_renderer.h"
 #include "core/scene/resources.h"
 #include "core/scene/scene_file.h"
@@ -49,7 +50,12 @@ bool is_scene(const std::string& path) {
 }  // namespace
 
 Studio::Studio(std::function<void()> wake, const std::string& trace_path)
-    : feed(workspace), renderer(make_renderer, wake), developer(wake), trace(trace_path), wake_(wake) {
+    : feed(workspace),
+      renderer(make_renderer, wake),
+      developer(wake),
+      kept_developer(wake),
+      trace(trace_path),
+      wake_(wake) {
   session().on_echo = [this](const std::string& line) {
     if (!muted_) console.echo(line, merge_key_);
   };
@@ -121,6 +127,35 @@ void Studio::update_picture() {
     asked_ = wanted;
   }
   renderer.ask({std::move(wanted), number_, is_hand_on()});
+  if (!reference_) return;
+  if (const ViewPicturePtr reference = reference_->picture();
+      reference && reference != kept && !reference->quick)
+    keep_picture(reference, "reference");
+}
+
+void Studio::keep_picture(ViewPicturePtr picture, const std::string& name) {
+  kept = std::move(picture);
+  kept_name = name;
+  development.against = kept;
+  if (!kept) development.difference = wipes = false;
+}
+
+void Studio::render_reference() {
+  if (!asked_) return;
+  if (!reference_)
+    reference_ = std::make_unique<ViewRenderer>([] { return std::make_unique<DualMarch>(); }, wake_);
+  reference_->ask({*asked_, number_, false});
+  if (!development.difference) wipes = true;
+}
+
+void Studio::stop_reference() {
+  reference_.reset();
+}
+
+std::optional<double> Studio::reference_share() const {
+  if (!reference_) return std::nullopt;
+  const ViewRenderer::Status status = reference_->status();
+  return status.is_busy ? std::optional(status.share) : std::nullopt;
 }
 
 bool Studio::is_picture_old() const {
@@ -289,6 +324,31 @@ void Studio::act(Action action) {
     case Action::original_maps:
       original_maps = !original_maps;
       return;
+    case Action::snapshot_picture:
+      if (const ViewPicturePtr picture = renderer.picture(); picture && !picture->quick)
+        keep_picture(picture, "kept");
+      else
+        console.add(LineKind::note, "only a picture that is past its quick pass can be kept");
+      return;
+    case Action::reference:
+      return render_reference();
+    case Action::wipe:
+      wipes = kept && !wipes;
+      development.difference = false;
+      return;
+    case Action::difference:
+      development.difference = kept && !development.difference;
+      wipes = false;
+      return;
+    case Action::set_key:
+      for (const graph::NodeId id : session().graph().selection())
+        if (const graph::Node& node = *session().graph().find(id);
+            node.schema->find("rotate") != graph::no_attribute)
+          run("setKeyframe " + node.name + ".translate " + node.name + ".rotate");
+        else
+          console.add(LineKind::note, node.name + " has no place; 'setKeyframe " + node.name +
+                                          ".ATTRIBUTE' keys what else it has");
+      return;
     case Action::toggle_display:
       show_display = !show_display;
       return;
@@ -303,6 +363,7 @@ void Studio::act(Action action) {
       return;
     case Action::cancel:
       job.cancelled = true;
+      stop_reference();
       if (job.what.empty()) feed.cancel();
       return;
     default:

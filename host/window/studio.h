@@ -63,6 +63,21 @@ class Studio {
   /// Whether the picture that is up is not yet of what is asked for.
   bool is_picture_old() const;
 
+  // What it is compared with.
+  Developer kept_developer;
+  ViewPicturePtr kept;    // null: nothing
+  std::string kept_name;  // "kept", "reference"
+  bool wipes = false;
+  float wipe = 0.5f;  // [-] of the picture's width: left of it the other one is seen
+  /// Renders the offline reference of what is looked at, beside everything else.
+  void render_reference();
+  void stop_reference();
+  /// How far that is [0, 1]; none where none is being rendered.
+  std::optional<double> reference_share() const;
+  /// Whether what it is compared with shows another scene or view by now.
+  bool is_kept_old() const { return kept && kept->number != number_; }
+  void keep_picture(ViewPicturePtr picture, const std::string& name);
+
   // What is asked for.
   /// Runs a command after this turn. merge_key: those of one drag share it. typed: show what it answers.
   void run(const std::string& line, const std::string& merge_key = "", bool typed = false);
@@ -106,6 +121,7 @@ class Studio {
   void import_whole(const std::string& input);
 
   std::function<void()> wake_;
+  std::unique_ptr<ViewRenderer> reference_;
   std::vector<std::function<void()>> tasks_;
   std::string merge_key_;  // of the command that runs
   bool muted_ = false;     // commands are not echoed: they are told as one

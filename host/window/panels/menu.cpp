@@ -118,6 +118,17 @@ void show_menu(Studio& studio) {
     item(studio, "Hotkeys", Action::hotkey_list);
     ImGui::EndMenu();
   }
+  if (ImGui::BeginMenu("Compare")) {
+    item(studio, "Keep this picture", Action::snapshot_picture);
+    item(studio, "Render the reference", Action::reference);
+    if (ImGui::MenuItem("Stop the reference", "", false, studio.reference_share().has_value()))
+      studio.stop_reference();
+    ImGui::Separator();
+    item(studio, "Wipe", Action::wipe, studio.kept != nullptr, studio.wipes);
+    item(studio, "Difference", Action::difference, studio.kept != nullptr, studio.development.difference);
+    if (ImGui::MenuItem("Forget it", "", false, studio.kept != nullptr)) studio.keep_picture(nullptr, "");
+    ImGui::EndMenu();
+  }
   ImGui::EndMainMenuBar();
 }
 
@@ -183,6 +194,14 @@ void show_view_strip(Studio& studio, const PaneRect& pane) {
   if (toggle(studio.look.free ? "free camera" : "scene camera", !studio.look.free,
              "Look through the scene's camera (C). Moving the view leaves to a free one."))
     studio.look_through_scene_camera();
+  if (studio.kept) {
+    ImGui::SameLine(0.0f, scaled(6));
+    if (toggle("wipe", studio.wipes, "Wipe between the picture and the one kept (Shift+W); drag the line."))
+      studio.act(Action::wipe);
+    ImGui::SameLine(0.0f, scaled(2));
+    if (toggle("diff", studio.development.difference, "How far it is from the one kept (Shift+D)."))
+      studio.act(Action::difference);
+  }
   if (studio.original_maps) {
     ImGui::SameLine(0.0f, scaled(6));
     if (toggle("full-range maps", true,
@@ -209,6 +228,22 @@ void show_status(Studio& studio, const PaneRect& pane) {
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
   ImGui::AlignTextToFramePadding();
+  float right = pane.begin.x + pane.size.x;
+  const ViewPicturePtr picture = studio.renderer.picture();
+  if (picture) {
+    const std::string text = fmt::format(
+        "{}   {} x {}   {}", picture->scene.quality.name, picture->frame.width, picture->frame.height,
+        picture->quick     ? "quick"
+        : picture->at_rest ? fmt::format("at rest, {} passes", picture->passes)
+                           : fmt::format("pass {}", picture->passes));
+    const float width = ImGui::CalcTextSize(text.c_str()).x;
+    right -= width + scaled(30);
+    ImGui::SetCursorPosX(pane.size.x - width - scaled(10));
+    ImGui::TextDisabled("%s", text.c_str());
+    ImGui::SameLine(scaled(10));
+  }
+  // What there is to say on the left gives way to what the picture is.
+  ImGui::PushClipRect({pane.begin.x, pane.begin.y}, {right, pane.begin.y + pane.size.y}, true);
   const auto& lines = studio.console.lines();
   if (!studio.job.what.empty()) {
     ImGui::Text("%s  %.0f %%", studio.job.what.c_str(), 100.0 * studio.job.share);
@@ -228,17 +263,7 @@ void show_status(Studio& studio, const PaneRect& pane) {
         "Alt+mouse (or Ctrl+Alt): left tumbles, middle tracks, right or wheel dollies    F frame   "
         "A all   1 fast   2 high   L+drag turns the key light   F1 hotkeys");
   }
-  const ViewPicturePtr picture = studio.renderer.picture();
-  if (picture) {
-    const std::string text = fmt::format(
-        "{}   {} x {}   {}", picture->scene.quality.name, picture->frame.width, picture->frame.height,
-        picture->quick     ? "quick"
-        : picture->at_rest ? fmt::format("at rest, {} passes", picture->passes)
-                           : fmt::format("pass {}", picture->passes));
-    const float width = ImGui::CalcTextSize(text.c_str()).x;
-    ImGui::SameLine(pane.size.x - width - scaled(10));
-    ImGui::TextDisabled("%s", text.c_str());
-  }
+  ImGui::PopClipRect();
   end_pane();
 }
 

@@ -23,6 +23,7 @@ std::string words_of(const Development& how) {
   std::string words =
       fmt::format("{} {} {} {} {} {} {}", how.solo_ambient, int(how.view.view), how.view.exposure,
                   how.view.ocio_config, how.view.ocio_display, how.view.ocio_view, how.layer);
+  words += fmt::format(" {} {}", static_cast<const void*>(how.against.get()), how.difference);
   for (const std::string& light : how.solo) words += " " + light;
   return words;
 }
@@ -70,17 +71,26 @@ void ViewportPanel::take_picture(Studio& studio) {
     asked_picture_ = picture;
     asked_development_ = how;
   }
+  if (studio.kept && (studio.kept != asked_kept_ || how != asked_kept_development_)) {
+    Development plain = studio.development;
+    plain.against = nullptr;
+    plain.difference = false;
+    studio.kept_developer.ask(studio.kept, plain);
+    asked_kept_ = studio.kept;
+    asked_kept_development_ = how;
+  }
+  if (studio.kept) kept_texture_.show(studio.kept_developer.developed());
   const DevelopedPtr before = texture_.shown();
   texture_.show(studio.developer.developed());
   const DevelopedPtr& shown = texture_.shown();
   if (!shown || shown == before || !studio.trace.is_on()) return;
   const ViewPicture& p = *shown->picture;
-  studio.trace.note(fmt::format("picture {} {}x{} passes {} {} {:.0f} ms", p.number, shown->width,
+  studio.trace.note(fmt::format("picture {} {}x{} passes {} {} {:.0f} ms{}", p.number, shown->width,
                                 shown->height, p.passes,
                                 p.quick     ? "quick"
                                 : p.at_rest ? "rest"
                                             : "refining",
-                                p.render_ms));
+                                p.render_ms, shown->psnr ? fmt::format(" psnr {:.1f}", *shown->psnr) : ""));
 }
 
 void ViewportPanel::navigate(Studio& studio, bool hovered) {
@@ -180,6 +190,42 @@ void ViewportPanel::show_notes(Studio& studio, const PaneRect& pane) {
   }
 }
 
+// The other picture left of a line that can be dragged, and how far they are apart.
+void ViewportPanel::show_comparison(Studio& studio, const PaneRect& pane) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  if (studio.wipes && kept_texture_.name() != 0) {
+    const float x = std::round(begin_.x + (end_.x - begin_.x) * studio.wipe);
+    list->PushClipRect(to_im(begin_), {x, end_.y}, true);
+    list->AddImage(ImTextureID(std::intptr_t(kept_texture_.name())), to_im(begin_), to_im(end_));
+    list->PopClipRect();
+    const bool near = std::abs(mouse.x - x) < scaled(6) && mouse.y > begin_.y && mouse.y < end_.y;
+    if (near && ImGui::IsMouseClicked(0) && !ImGui::GetIO().KeyAlt && ImGui::IsWindowHovered())
+      wiping_ = true;
+    if (!ImGui::IsMouseDown(0)) wiping_ = false;
+    if (wiping_)
+      studio.wipe = std::clamp((mouse.x - begin_.x) / std::max(1.0f, end_.x - begin_.x), 0.0f, 1.0f);
+    if (near || wiping_) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    list->AddLine({x, begin_.y}, {x, end_.y}, near || wiping_ ? colour::accent : 0xb0ffffff);
+    draw_text(list, {begin_.x + scaled(10), begin_.y + scaled(8)}, colour::text,
+              studio.kept_name + (studio.is_kept_old() ? ", of another scene or view" : ""));
+  }
+  std::string text;
+  const DevelopedPtr& shown = texture_.shown();
+  if (studio.kept && shown && shown->psnr)
+    text = fmt::format("{}against {}: {:.1f} dB   SSIM {:.4f}",
+                       studio.development.difference ? "4 x difference, " : "", studio.kept_name,
+                       *shown->psnr, *shown->ssim);
+  else if (studio.kept && (studio.wipes || studio.development.difference) && studio.is_kept_old())
+    text = "the picture compared with is of another scene or view: Shift+R renders the reference anew";
+  if (const auto share = studio.reference_share())
+    text += fmt::format("{}reference {:.0f} %", text.empty() ? "" : "   ", 100.0 * *share);
+  if (text.empty()) return;
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  draw_text(list, {pane.begin.x + pane.size.x - size.x - scaled(10), pane.begin.y + scaled(8)}, colour::text,
+            text);
+}
+
 // What the picture that is up cost.
 void ViewportPanel::show_figures(Studio& studio, const PaneRect& pane) {
   const ViewPicturePtr picture = studio.renderer.picture();
@@ -204,7 +250,7 @@ void ViewportPanel::show_figures(Studio& studio, const PaneRect& pane) {
   ImGui::PushFont(fonts().fixed);
   const float width = ImGui::CalcTextSize("maps made0000000 MiB  ").x,
               line = ImGui::GetTextLineHeight() + scaled(2);
-  vec2 at(pane.begin.x + pane.size.x - width - scaled(10), pane.begin.y + scaled(10));
+  vec2 at(pane.begin.x + pane.size.x - width - scaled(10), pane.begin.y + scaled(36));
   ImGui::GetWindowDrawList()->AddRectFilled({at.x - scaled(8), at.y - scaled(6)},
                                             {at.x + width, at.y + line * float(lines.size()) + scaled(6)},
                                             0xa0101010, scaled(4));
@@ -269,7 +315,8 @@ void ViewportPanel::show(Studio& studio, const PaneRect& pane, double pixel_rati
                              ImGuiButtonFlags_MouseButtonRight);
   const bool hovered = ImGui::IsItemHovered();
   studio.trace.item("picture", begin_, end_ - begin_);
-  navigate(studio, hovered);
+  show_comparison(studio, pane);
+  navigate(studio, hovered && !wiping_);
   show_notes(studio, pane);
   if (hovered) show_pixel(pane);
   ImGui::End();

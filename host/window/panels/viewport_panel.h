@@ -17,13 +17,16 @@ class ViewportPanel {
   void take_picture(Studio& studio);
   void navigate(Studio& studio, bool hovered);
   void show_notes(Studio& studio, const PaneRect& pane);
+  void show_comparison(Studio& studio, const PaneRect& pane);
   void show_figures(Studio& studio, const PaneRect& pane);
   void turn_light(Studio& studio, dvec2 mouse);
   void show_pixel(const PaneRect& pane);
 
-  PictureTexture texture_;
+  PictureTexture texture_, kept_texture_;
+  ViewPicturePtr asked_kept_;
+  bool wiping_ = false;
   ViewPicturePtr asked_picture_;
-  std::string asked_development_;
+  std::string asked_development_, asked_kept_development_;
   vec2 begin_{0.0f}, end_{0.0f};  // [points] of the picture in the window
   Hand hand_ = Hand::none;
   bool moved_ = false;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/image/metrics.h"
+
 namespace plinian::window {
 
 namespace {
@@ -50,6 +52,19 @@ std::vector<vec3> layer_of(const Frame& frame, const Development& how) {
   return frame.beauty;
 }
 
+// By how much brighter or darker each channel is [radiance], four times, around a middle grey: what is grey
+// agrees.
+std::vector<std::uint8_t> difference_bytes(const Image& a, const Image& b) {
+  constexpr float gain = 4.0f;
+  std::vector<std::uint8_t> bytes(a.pixel_count() * 3);
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t i = 0; i < a.pixel_count(); ++i) {
+      const float d = gain * (a.channels[c].values[i] - b.channels[c].values[i]);
+      bytes[3 * i + c] = std::uint8_t(std::lround(255.0f * std::clamp(0.5f + 0.5f * d, 0.0f, 1.0f)));
+    }
+  return bytes;
+}
+
 DevelopedPtr develop(const ViewPicturePtr& picture, const Development& how) {
   auto developed = std::make_shared<Developed>();
   developed->picture = picture;
@@ -63,6 +78,15 @@ DevelopedPtr develop(const ViewPicturePtr& picture, const Development& how) {
     developed->bytes =
         to_display_bytes(image, ViewTransform({.view = View::srgb, .exposure = how.view.exposure}));
   }
+  const Frame* other = how.against ? &how.against->frame : nullptr;
+  if (!other || picture->quick || other->width != developed->width || other->height != developed->height)
+    return developed;
+  const Image reference = visible_layers(*other, how);
+  const PicturePair pair = pair_pictures(image, reference);
+  const PixelMetrics metrics = pixel_metrics(pair);
+  developed->psnr = metrics.psnr;
+  developed->ssim = ssim(pair, metrics.peak);
+  if (how.difference) developed->bytes = difference_bytes(image, reference);
   return developed;
 }
 

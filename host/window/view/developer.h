@@ -23,6 +23,8 @@ struct Development {
   ViewSettings view;
   std::set<std::string> solo;  // lights that are seen alone; empty: all, with everything else
   bool solo_ambient = false;   // ... and the sky's
+  ViewPicturePtr against;      // measured against this one, where it has the same size
+  bool difference = false;     // ... and the signed difference is what is seen
   std::string layer;           // beauty (or empty), alpha, depth, emission, ambient
 };
 
@@ -30,6 +32,8 @@ struct Developed {
   int width = 0, height = 0;        // [pixels]
   std::vector<std::uint8_t> bytes;  // r g b, top row first
   ViewPicturePtr picture;           // that it was made of
+  std::optional<double> psnr;       // [dB] of linear radiance against the other picture, see metrics.h
+  std::optional<double> ssim;       // [-] likewise
   std::string error;                // why the view could not be used; then it is sRGB
 };
 using DevelopedPtr = std::shared_ptr<const Developed>;

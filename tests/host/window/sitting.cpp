@@ -107,7 +107,7 @@ Sitting::Sitting(const std::vector<std::string>& arguments, ivec2 size) : state_
     if (digits[have - 1] == '\n') break;
   }
   ::close(number[0]);
-  state_->display_name = ":" + std::to_string(std::atoi(digits));
+  state_->display_name = std::string(":").append(std::to_string(std::atoi(digits)));
 
   std::vector<std::string> words = {PLINIAN_PROGRAM, "view",
                                     "--trace",       (folder_ / "trace").string(),

@@ -192,6 +192,48 @@ TEST_F(WindowSitting, AnswersWhileItRenders) {
   }
 }
 
+// [dB] of a picture's line.
+double psnr_in(const std::string& line) {
+  const std::size_t at = line.find("psnr ");
+  return at == line.npos ? -1.0 : std::strtod(line.c_str() + at + 5, nullptr);
+}
+
+// A light's brightness is a matter of layers: the picture stays at rest while it is dragged.
+TEST_F(WindowSitting, ComparesWithWhatWasKeptAndRelightsWithoutRendering) {
+  Sitting sitting({});
+  wait_for_rest(sitting, 0);
+  sitting.move({5, 5});
+  std::size_t at = sitting.now();
+  sitting.stroke("p");
+  at = sitting.wait_for("psnr", at);
+  EXPECT_GT(psnr_in(sitting.line(at)), 100.0) << "it is that picture";
+  sitting.stroke("Shift_L+w");
+  const ivec2 exposure = sitting.middle("light key exposure");
+  at = sitting.now();
+  sitting.drag(exposure, exposure + ivec2(30, 0));
+  sitting.wait_for("ran setAttr key.exposure", at);
+  at = wait_for_rest(sitting, at);
+  keep(sitting, "7-wipe");
+  EXPECT_LT(psnr_in(sitting.line(at)), 60.0) << sitting.line(at);
+  for (std::size_t i = at; i < sitting.now(); ++i)
+    EXPECT_EQ(sitting.line(i).find("quick"), std::string::npos)
+        << "nothing was rendered: " << sitting.line(i);
+  at = sitting.now();
+  sitting.stroke("Control_L+z");
+  at = sitting.wait_for("ran undo", at);
+  // A picture of the drag may still come; the one that was kept comes after it.
+  sitting.wait_for([](const std::string& line) { return psnr_in(line) > 100.0; }, at);
+  keep(sitting, "9-undone");
+  const ivec4 place = sitting.item("picture");
+  const ivec2 line(place.x + place.z / 2, place.y + place.w / 2);
+  sitting.drag(line, line + ivec2(-60, 0));
+  at = sitting.now();
+  sitting.stroke("Shift_L+d");
+  sitting.move({5, 5});
+  sitting.wait_for("picture", at);
+  keep(sitting, "8-difference");
+}
+
 TEST_F(WindowSitting, AsksAboutUnsavedChanges) {
   Sitting sitting({"--empty"});
   command(sitting, "createNode transform");
