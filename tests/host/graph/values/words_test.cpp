@@ -28,9 +28,10 @@ TEST(Words, RefuseWhatIsNotClosedOrNotKnown) {
 }
 
 TEST(Words, EveryByteSurvivesQuotingAndTheTextIsCleanUtf8) {
+  using namespace std::string_literals;
   std::string every;
   for (int c = 1; c < 256; ++c) every += char(c);
-  every += std::string("\0 \xc3\xa4 \xe2\x82\xac \xf0\x9f\x8c\x8b \xed\xa0\x80 \xc0\x80", 26);
+  every += "\0 \xc3\xa4 \xe2\x82\xac \xf0\x9f\x8c\x8b \xed\xa0\x80 \xc0\x80"s;
   const std::string text = quote(every);
   EXPECT_EQ(split_words(text).at(0).text, every);
   for (const char c : text) EXPECT_GE((unsigned char)c, 0x20);
