@@ -26,6 +26,7 @@ Run set_up_render(CLI::App& app);
 Run set_up_compare(CLI::App& app);
 Run set_up_bench(CLI::App& app);
 Run set_up_info(CLI::App& app);
+Run set_up_probe(CLI::App& app);
 Run set_up_make(CLI::App& app);
 Run set_up_sheet(CLI::App& app);
 Run set_up_run(CLI::App& app);

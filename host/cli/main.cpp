@@ -25,6 +25,7 @@ constexpr Command commands[] = {
     {"compare", "measure how far one picture is from another", set_up_compare},
     {"bench", "time maps, frames and edits on this machine", set_up_bench},
     {"info", "show what is in a .vdb file, a picture or a scene", set_up_info},
+    {"probe", "follow a pixel's ray and its lights, exactly and by their maps", set_up_probe},
     {"make", "write a procedural medium to a .vdb file", set_up_make},
     {"sheet", "pictures side by side, with heat maps", set_up_sheet},
     {"run", "run a script of commands on a scene", set_up_run},

@@ -66,7 +66,7 @@ TEST(Usage, AMistypedCommandOrOptionIsToldTheNearestOne) {
   EXPECT_EQ(
       usage_error({"rendr", "ash"}),
       "plinian: error: rendr: no such command (did you mean 'render'?); there are: view, render, compare, "
-      "bench, info, make, sheet, run, plugins\n");
+      "bench, info, probe, make, sheet, run, plugins\n");
   EXPECT_TRUE(contains(usage_error({"render", "ash", "--presett", "fast"}),
                        "--presett: no such option (did you mean '--preset'?)"));
   EXPECT_TRUE(
