@@ -45,9 +45,20 @@ Interface::~Interface() {
 
 // How long nothing need be done where nobody does anything. [s]
 double Interface::patience() const {
-  if (redraws_ > 0 || studio_.has_work()) return 0.0;
+  if (studio_.has_work()) return 0.0;
+  if (redraws_ > 0) return std::max(0.0, earliness());
   if (studio_.is_hand_on() || studio_.feed.is_computing() || timeline_.is_playing()) return 0.015;
   return studio_.renderer.status().is_busy ? 0.1 : 1.0;
+}
+
+// Where the processor draws the interface too, that leaves two thirds of the time to the picture: how long it
+// is until the next drawing. [s]
+double Interface::earliness() const {
+  constexpr double longest_ms = 30.0;
+  const double wait_ms = std::min(2.0 * draw_ms_, longest_ms);
+  const double since_ms =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - drawn_).count();
+  return (wait_ms - since_ms) / 1000.0;
 }
 
 // The time from one look at the user's doings to the next is what a stall is.
@@ -76,7 +87,8 @@ void Interface::turn() {
     redraws_ = std::max(redraws_, 1);
   timeline_.play(studio_);
   studio_.update_picture();
-  if (redraws_ > 0 || studio_.renderer.status().is_busy || most == 0.0) {
+  if (earliness() > 0.0) redraws_ = std::max(redraws_, 1);
+  if (earliness() <= 0.0 && (redraws_ > 0 || studio_.renderer.status().is_busy)) {
     draw();
     --redraws_;
   }
@@ -113,12 +125,15 @@ void Interface::take_input() {
 }
 
 void Interface::draw() {
+  const auto begin = std::chrono::steady_clock::now();
   window_.begin_frame();
   ImGui::BeginDisabled(!studio_.job.what.empty());
   show_panels();
   ImGui::EndDisabled();
   show_job(studio_);
   window_.end_frame(vec3(0.09f));
+  drawn_ = std::chrono::steady_clock::now();
+  draw_ms_ = std::chrono::duration<double, std::milli>(drawn_ - begin).count();
 }
 
 // Playing is the timeline's; the rest needs no panel.

@@ -35,6 +35,7 @@ class Interface {
   void settle_title();
   void note_work(bool waited);
   double patience() const;
+  double earliness() const;
 
   MainWindow& window_;
   Studio& studio_;
@@ -46,6 +47,8 @@ class Interface {
   TimelinePanel timeline_;
   ConsolePanel console_;
   FileDialog open_dialog_, save_dialog_;
+  double draw_ms_ = 0.0;  // of the last drawing
+  std::chrono::steady_clock::time_point drawn_{};
   int redraws_ = 3;
   std::string title_;
   std::chrono::steady_clock::time_point work_began_ = std::chrono::steady_clock::now();

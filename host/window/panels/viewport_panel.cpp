@@ -85,12 +85,13 @@ void ViewportPanel::take_picture(Studio& studio) {
   const DevelopedPtr& shown = texture_.shown();
   if (!shown || shown == before || !studio.trace.is_on()) return;
   const ViewPicture& p = *shown->picture;
-  studio.trace.note(fmt::format("picture {} {}x{} passes {} {} {:.0f} ms{}", p.number, shown->width,
-                                shown->height, p.passes,
+  studio.trace.note(fmt::format("picture {} {}x{} passes {} {} {:.0f} ms maps {:.0f} view {:.0f}{}", p.number,
+                                shown->width, shown->height, p.passes,
                                 p.quick     ? "quick"
                                 : p.at_rest ? "rest"
                                             : "refining",
-                                p.render_ms, shown->psnr ? fmt::format(" psnr {:.1f}", *shown->psnr) : ""));
+                                p.render_ms, p.stats.map_ms, p.stats.view_ms,
+                                shown->psnr ? fmt::format(" psnr {:.1f}", *shown->psnr) : ""));
 }
 
 void ViewportPanel::navigate(Studio& studio, bool hovered) {

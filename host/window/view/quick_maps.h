@@ -11,10 +11,14 @@ namespace plinian::window {
 
 class QuickMaps {
  public:
+  explicit QuickMaps(double wanted_ms = 60.0) : wanted_ms_(wanted_ms) {}
+
   /// The resolution [texels] for a quick picture of the scene: that of the scene, or of what was rendered
-  /// last, where no map has to be built for it; else half of it, at most 256 and at least 64 (or what there
-  /// is).
-  int resolution(const SceneSnapshot& scene) const;
+  /// last, where no map has to be built for it; else half of it, at most 256, or less where that would take
+  /// too long, but not under 64 (or what there is).
+  int resolution(const SceneSnapshot& scene);
+  /// What it took to build the maps of a picture at that resolution. [ms]
+  void took(int resolution, double milliseconds);
   /// What was rendered: the renderer holds its maps now.
   void rendered(const SceneSnapshot& scene);
   /// The renderer holds nothing, or nobody knows what.
@@ -23,7 +27,10 @@ class QuickMaps {
  private:
   bool are_held(const SceneSnapshot& scene) const;
 
-  SceneSnapshot held_scene_;  // keeps the volumes that the keys tell apart by address
+  double wanted_ms_;
+  double ms_per_texel_ = 0.0;  // of a side squared, all maps together; 0: not known yet
+  int most_ = 256;             // [texels] that come in time
+  SceneSnapshot held_scene_;   // keeps the volumes that the keys tell apart by address
   std::vector<MapKey> held_;
 };
 

@@ -116,12 +116,16 @@ class ViewRenderer::Thread {
     scene.width = size.x;
     scene.height = size.y;
     scene.quality.map.resolution = quick_maps_.resolution(request.scene);
+    const std::int64_t builds = renderer_->stats().map_builds;
     const Clock::time_point begin = Clock::now();
     Frame frame = render(scene, Passes(1), [&](double share) {
       tell_share(share);
       return !is_stopping();
     });
     cost_.took(size, milliseconds_since(begin) - renderer_->stats().map_ms - renderer_->stats().upload_ms);
+    // Maps that were there cost nothing, and say nothing.
+    if (renderer_->stats().map_builds > builds)
+      quick_maps_.took(scene.quality.map.resolution, renderer_->stats().map_ms);
     publish(request, std::move(frame), true, false, 1);
   }
 

@@ -74,6 +74,19 @@ TEST(QuickMaps, AreFullWhereTheyAreThereAndSmallWhereTheyMustBeBuilt) {
   EXPECT_EQ(maps.resolution(scene), 256);
 }
 
+TEST(QuickMaps, AreAsSmallAsTheTimeAsksFor) {
+  QuickMaps slow(60.0), fast(60.0);
+  const SceneSnapshot scene = ball();
+  for (int i = 0; i < 20; ++i) {
+    slow.took(256, 600.0);
+    fast.took(128, 1.0);
+    slow.resolution(scene);
+    fast.resolution(scene);
+  }
+  EXPECT_EQ(slow.resolution(scene), 64) << "a tenth of the texels at least";
+  EXPECT_EQ(fast.resolution(scene), 256);
+}
+
 TEST(SamePicture, CountsWhatIsSeenAndNothingElse) {
   const SceneSnapshot scene = ball();
   EXPECT_TRUE(same_picture(scene, scene));
