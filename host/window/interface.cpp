@@ -79,7 +79,6 @@ void Interface::turn() {
   const double most = patience();
   const bool events = window_.wait(most);
   note_work(true);
-  // What ended a wait without being an event is news of a picture.
   if (events) redraws_ = 2;
   take_input();
   if (studio_.feed.update()) redraws_ = std::max(redraws_, 2);
@@ -87,14 +86,19 @@ void Interface::turn() {
     redraws_ = std::max(redraws_, 1);
   timeline_.play(studio_);
   studio_.update_picture();
-  if (earliness() > 0.0) redraws_ = std::max(redraws_, 1);
-  if (earliness() <= 0.0 && (redraws_ > 0 || studio_.renderer.status().is_busy)) {
+  const bool due = earliness() <= 0.0 || window_.take_urgent();
+  if (due && (redraws_ > 0 || studio_.renderer.status().is_busy)) {
     draw();
     --redraws_;
+    still_ = false;
   }
   if (studio_.has_work()) {
     studio_.work_off();
     redraws_ = 2;
+  }
+  if (!still_ && patience() >= 1.0) {
+    still_ = true;
+    studio_.trace.note("still");  // what is on the screen stays until something happens
   }
 }
 

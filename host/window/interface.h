@@ -52,6 +52,7 @@ class Interface {
   int redraws_ = 3;
   std::string title_;
   std::chrono::steady_clock::time_point work_began_ = std::chrono::steady_clock::now();
+  bool still_ = false;   // nothing is left to be drawn
   bool typing_ = false;  // keys are a field's
 };
 

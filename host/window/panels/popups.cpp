@@ -28,6 +28,7 @@ void show_unsaved_question(Studio& studio) {
   if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   at_the_middle();
   if (!ImGui::BeginPopupModal(title, nullptr, plain)) return;
+  if (ImGui::IsWindowAppearing()) studio.trace.note("question");
   const std::string& path = studio.session().scene_path();
   ImGui::Text("%s has changes that are not saved.",
               path.empty() ? "The scene" : std::filesystem::path(path).filename().c_str());

@@ -9,9 +9,12 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "host/window/platform/theme.h"
@@ -22,9 +25,16 @@ struct MainWindow::Events {
   std::vector<std::string> dropped;
   std::vector<Chord> keys;
   bool any = false, close = false;
+  bool urgent = false;  // a key or a button
+  // Dear ImGui 1.86 sees a key as it is when a picture begins: one that is released before that is released
+  // for it after the picture.
+  std::set<int> pressed;                     // keys, since the last picture
+  std::vector<std::array<int, 3>> released;  // key, scancode, modifiers
 };
 
 namespace {
+
+std::atomic<bool> news{false};  // there is one window, and one queue of events
 
 constexpr const char* instead = "; 'plinian render INPUT -o OUT.png' makes a picture without a window";
 
@@ -89,17 +99,31 @@ MainWindow::MainWindow(const std::string& title, ivec2 size) : events_(std::make
   glfwGetWindowContentScale(window, &x, &y);
   scale_ = std::clamp(double(std::max(x, y)), 1.0, 4.0);
 
-  // Ours come first: the backend calls whom it finds.
   glfwSetWindowUserPointer(window, events_.get());
   static constexpr auto note = [](GLFWwindow* w) {
     return static_cast<Events*>(glfwGetWindowUserPointer(w));
   };
   glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { note(w)->any = true; });
-  glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int) { note(w)->any = true; });
-  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { note(w)->any = true; });
-  glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { note(w)->any = true; });
-  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { note(w)->any = true; });
-  glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int) { note(w)->any = true; });
+  glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
+    note(w)->any = true;
+    ImGui_ImplGlfw_CursorEnterCallback(w, entered);
+  });
+  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
+    note(w)->any = note(w)->urgent = true;
+    ImGui_ImplGlfw_MouseButtonCallback(w, button, action, mods);
+  });
+  glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
+    note(w)->any = true;
+    ImGui_ImplGlfw_ScrollCallback(w, x, y);
+  });
+  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) {
+    note(w)->any = true;
+    ImGui_ImplGlfw_CharCallback(w, character);
+  });
+  glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
+    note(w)->any = true;
+    ImGui_ImplGlfw_WindowFocusCallback(w, focused);
+  });
   glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { note(w)->any = true; });
   glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { note(w)->any = true; });
   glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
@@ -111,8 +135,14 @@ MainWindow::MainWindow(const std::string& title, ivec2 size) : events_(std::make
     note(w)->dropped.insert(note(w)->dropped.end(), paths, paths + count);
   });
   glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
-    note(w)->any = true;
+    note(w)->any = note(w)->urgent = true;
+    if (action == GLFW_RELEASE && note(w)->pressed.contains(key)) {
+      note(w)->released.push_back({key, scancode, mods});
+      return;
+    }
+    ImGui_ImplGlfw_KeyCallback(w, key, scancode, action, mods);
     if (action == GLFW_RELEASE) return;
+    note(w)->pressed.insert(key);
     Chord chord{(mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_ALT) != 0,
                 key_name(key, scancode)};
     if (!chord.key.empty()) note(w)->keys.push_back(chord);
@@ -122,7 +152,7 @@ MainWindow::MainWindow(const std::string& title, ivec2 size) : events_(std::make
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
   ImGui::GetIO().ConfigInputTextCursorBlink = false;  // the window is drawn when something happens
-  ImGui_ImplGlfw_InitForOpenGL(window, true);
+  ImGui_ImplGlfw_InitForOpenGL(window, false);
   ImGui_ImplOpenGL3_Init("#version 330 core");
   set_theme(scale_);
 }
@@ -140,10 +170,16 @@ bool MainWindow::wait(double seconds) {
     glfwWaitEventsTimeout(seconds);
   else
     glfwPollEvents();
-  return std::exchange(events_->any, false);
+  const bool woken = news.exchange(false);
+  return std::exchange(events_->any, false) || woken;
+}
+
+bool MainWindow::take_urgent() {
+  return std::exchange(events_->urgent, false);
 }
 
 void MainWindow::wake() {
+  news = true;
   glfwPostEmptyEvent();
 }
 
@@ -162,6 +198,11 @@ void MainWindow::end_frame(vec3 background) {
   glClear(GL_COLOR_BUFFER_BIT);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
   glfwSwapBuffers(static_cast<GLFWwindow*>(window_));
+  events_->pressed.clear();
+  for (const auto& [key, scancode, mods] : std::exchange(events_->released, {})) {
+    ImGui_ImplGlfw_KeyCallback(static_cast<GLFWwindow*>(window_), key, scancode, GLFW_RELEASE, mods);
+    events_->any = true;
+  }
 }
 
 void MainWindow::set_title(const std::string& title) {

@@ -31,7 +31,9 @@ class MainWindow {
   /// Waits for events, at most that long, and takes them. Returns whether there were any. seconds: 0 takes
   /// what is there.
   bool wait(double seconds);
-  /// Ends a wait from any thread.
+  /// Whether a key or a button was among them, which a picture of the interface must not miss.
+  bool take_urgent();
+  /// Ends a wait from any thread; counts as an event.
   static void wake();
 
   void begin_frame();

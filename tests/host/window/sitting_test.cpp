@@ -43,13 +43,16 @@ double psnr(const Pixels& a, const std::vector<std::uint8_t>& b) {
   return sum > 0.0 ? 10.0 * std::log10(double(a.rgb.size()) / sum) : INFINITY;
 }
 
+// A picture at rest that is on the screen, with nothing left to be drawn: the number of its line.
 std::size_t wait_for_rest(Sitting& sitting, std::size_t since) {
-  return sitting.wait_for(
+  const std::size_t rest = sitting.wait_for(
       [](const std::string& line) {
-        return line.find("picture") != line.npos && line.find(" rest ") != line.npos &&
+        return line.find(" picture ") != line.npos && line.find(" rest ") != line.npos &&
                line.find("passes 0") == line.npos;
       },
       since);
+  sitting.wait_for(" still", rest);
+  return rest;
 }
 
 // What a picture's line says.
@@ -236,14 +239,19 @@ TEST_F(WindowSitting, ComparesWithWhatWasKeptAndRelightsWithoutRendering) {
 
 TEST_F(WindowSitting, AsksAboutUnsavedChanges) {
   Sitting sitting({"--empty"});
+  const auto ask = [&] {
+    const std::size_t since = sitting.now();
+    sitting.ask_to_close();
+    sitting.wait_for(" still", sitting.wait_for(" question", since));
+  };
   command(sitting, "createNode transform");
-  sitting.ask_to_close();
+  ask();
   keep(sitting, "6-question");
   sitting.click(sitting.middle("unsaved cancel"));
   command(sitting, "save kept.plinian");
   EXPECT_NE(text_of(sitting.folder() / "kept.plinian").find("node transform transform1"), std::string::npos);
   command(sitting, "createNode camera");
-  sitting.ask_to_close();
+  ask();
   sitting.click(sitting.middle("unsaved discard"));
   EXPECT_EQ(sitting.exit_code(), 0) << sitting.errors();
   EXPECT_EQ(text_of(sitting.folder() / "kept.plinian").find("node camera"), std::string::npos);
