@@ -15,13 +15,26 @@ std::filesystem::path resource_folder() {
   return program.parent_path().parent_path() / "share" / "plinian";
 }
 
-std::filesystem::path user_config_folder() {
-  // The XDG specification: a relative path in the variable is to be ignored.
-  if (const char* xdg = std::getenv("XDG_CONFIG_HOME"); xdg && xdg[0] == '/')
+namespace {
+
+// $VARIABLE/plinian, or that folder at home. The XDG specification: a relative path in the variable is to be
+// ignored.
+std::filesystem::path user_folder(const char* variable, const char* at_home) {
+  if (const char* xdg = std::getenv(variable); xdg && xdg[0] == '/')
     return std::filesystem::path(xdg) / "plinian";
   if (const char* home = std::getenv("HOME"); home && *home)
-    return std::filesystem::path(home) / ".config" / "plinian";
+    return std::filesystem::path(home) / at_home / "plinian";
   return {};
+}
+
+}  // namespace
+
+std::filesystem::path user_config_folder() {
+  return user_folder("XDG_CONFIG_HOME", ".config");
+}
+
+std::filesystem::path user_state_folder() {
+  return user_folder("XDG_STATE_HOME", ".local/state");
 }
 
 std::vector<std::filesystem::path> search_folders() {

@@ -13,6 +13,7 @@ namespace {
 struct ViewArguments {
   std::string input = "ash", size, trace;
   bool empty = false;
+  double autosave_seconds = 30.0;
 };
 
 constexpr const char* examples = R"(
@@ -34,12 +35,18 @@ Run set_up_view(CLI::App& app) {
       ->capture_default_str();
   app.add_flag("--empty", arguments->empty, "begin with an empty scene");
   app.add_option("--size", arguments->size, "of the window")->type_name("WIDTHxHEIGHT");
+  app.add_option("--autosave", arguments->autosave_seconds,
+                 "how often unsaved changes are kept aside, to be offered after a crash")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.1, 86400.0))
+      ->capture_default_str();
   app.add_option("--trace", arguments->trace, "note in FILE what happens in the window and when, a line each")
       ->type_name("FILE");
   return [arguments](const std::string&) {
     window::WindowOptions options;
     options.input = arguments->empty ? "" : arguments->input;
     if (!arguments->size.empty()) options.size = parse_size(arguments->size);
+    options.autosave_seconds = arguments->autosave_seconds;
     options.trace = arguments->trace;
     window::run_window(options);
     return exit_success;

@@ -85,6 +85,7 @@ void Interface::turn() {
   if (was_computing != studio_.feed.is_computing() || was_hand_on != studio_.is_hand_on() || most > 0.05)
     redraws_ = std::max(redraws_, 1);
   timeline_.play(studio_);
+  studio_.autosave_if_due();
   studio_.update_picture();
   const bool due = earliness() <= 0.0 || window_.take_urgent();
   if (due && (redraws_ > 0 || studio_.renderer.status().is_busy)) {
@@ -196,6 +197,7 @@ void Interface::show_dialogs() {
   if (const auto chosen = open_dialog_.show()) studio_.open(*chosen);
   if (const auto chosen = save_dialog_.show()) studio_.run("save " + graph::quote(*chosen));
   show_unsaved_question(studio_);
+  show_recovery(studio_);
   show_hotkey_list(studio_);
 }
 

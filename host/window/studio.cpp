@@ -13,6 +13,7 @@
 #include "core/scene/resources.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/scene_loader.h"
+#include "host/graph/files/scene_writer.h"
 #include "host/graph/graph_error.h"
 #include "host/scene/import_description.h"
 #include "host/window/view/same_picture.h"
@@ -43,6 +44,11 @@ void read_hotkeys(Hotkeys& hotkeys, ConsoleLog& console) {
     console.add(LineKind::warning, line);
 }
 
+fs::path autosave_folder() {
+  const fs::path folder = user_state_folder();
+  return folder.empty() ? folder : folder / "unsaved";
+}
+
 bool is_scene(const std::string& path) {
   return path.ends_with(".plinian");
 }
@@ -55,7 +61,9 @@ Studio::Studio(std::function<void()> wake, const std::string& trace_path)
       developer(wake),
       kept_developer(wake),
       trace(trace_path),
-      wake_(wake) {
+      wake_(wake),
+      autosave_(autosave_folder()) {
+  left_behind = autosave_.left_behind();
   session().on_echo = [this](const std::string& line) {
     if (!muted_) console.echo(line, merge_key_);
   };
@@ -264,6 +272,39 @@ void Studio::add_file(const std::string& path) {
     run_now("import " + graph::quote(path), "", false);
     job = {};
     later([this] { frame_view(false); });
+  });
+}
+
+void Studio::autosave_if_due() {
+  const auto now = std::chrono::steady_clock::now();
+  if (now - autosaved_ < std::chrono::duration<double>(autosave_seconds) || is_hand_on()) return;
+  autosaved_ = now;
+  if (!session().history().is_modified()) return autosave_.forget();
+  if (session().graph().generation() == autosaved_generation_) return;
+  try {
+    autosave_.keep(graph::write_scene(session().graph()), session().scene_path());
+    autosaved_generation_ = session().graph().generation();
+    trace.note("autosaved");
+  } catch (const std::exception& error) {
+    console.add(LineKind::warning, error.what());
+  }
+}
+
+void Studio::recover(const Autosave::Left& left) {
+  later([=, this] {
+    try {
+      look = {};
+      camera_history.clear();
+      session().recover_scene(left.file.string(), left.scene_path);
+      autosave_.keep(graph::write_scene(session().graph()), left.scene_path);
+      Autosave::discard(left);
+      console.add(LineKind::note, left.scene_path.empty()
+                                      ? "recovered what had not been saved"
+                                      : left.scene_path + ": recovered; it is not saved yet");
+      trace.note("recovered");
+    } catch (const std::exception& error) {
+      console.add(LineKind::error, error.what());
+    }
   });
 }
 

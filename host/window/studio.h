@@ -11,6 +11,7 @@
 
 #include "host/scene/workspace.h"
 #include "host/window/console/console_log.h"
+#include "host/window/files/autosave.h"
 #include "host/window/hotkeys/hotkeys.h"
 #include "host/window/navigation/camera_history.h"
 #include "host/window/platform/trace.h"
@@ -100,6 +101,13 @@ class Studio {
   /// What the program begins with: a scene, a volume or the name of a procedural medium.
   void begin_with(const std::string& input);
 
+  // What is kept for after a crash.
+  double autosave_seconds = 30.0;
+  std::vector<Autosave::Left> left_behind;  // by programs that ended without order; to be asked about
+  /// Keeps unsaved changes aside, where it is time.
+  void autosave_if_due();
+  void recover(const Autosave::Left& left);
+
   Hotkeys hotkeys;
   ConsoleLog console;
   Trace trace;
@@ -125,6 +133,9 @@ class Studio {
   std::vector<std::function<void()>> tasks_;
   std::string merge_key_;  // of the command that runs
   bool muted_ = false;     // commands are not echoed: they are told as one
+  Autosave autosave_;
+  std::chrono::steady_clock::time_point autosaved_ = std::chrono::steady_clock::now();
+  std::uint64_t autosaved_generation_ = 0;
   std::uint64_t drags_ = 0;
   std::optional<SceneSnapshot> asked_;  // that a picture was asked for last
   std::uint64_t number_ = 0;

@@ -8,9 +8,10 @@
 namespace plinian::window {
 
 struct WindowOptions {
-  std::string input = "ash";  // scene, volume or procedural medium to begin with; empty: an empty scene
-  ivec2 size{1440, 900};      // [points]
-  std::string trace;          // file to note in what happens, see Trace; empty: none
+  std::string input = "ash";       // scene, volume or procedural medium to begin with; empty: an empty scene
+  ivec2 size{1440, 900};           // [points]
+  double autosave_seconds = 30.0;  // between two looks whether there is something to be kept
+  std::string trace;               // file to note in what happens, see Trace; empty: none
 };
 
 /// Opens the window and returns when it is closed. Throws NoDisplay (main_window.h) where there is none.

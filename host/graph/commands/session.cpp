@@ -101,19 +101,28 @@ void Session::new_scene() {
 }
 
 void Session::open_scene(const std::string& path) {
-  tell(SceneMoment::before_open, path);
+  take_scene(path, std::filesystem::absolute(path).lexically_normal().string(), true);
+}
+
+void Session::recover_scene(const std::string& file, const std::string& scene_path) {
+  take_scene(file, scene_path, false);
+}
+
+// Reads a file in place of the scene.
+void Session::take_scene(const std::string& file, const std::string& scene_path, bool saved) {
+  tell(SceneMoment::before_open, file);
   SceneReport report;
-  const std::string text = read_text_file(path);
-  for (const std::string& plugin : required_plugins(text, path))
+  const std::string text = read_text_file(file);
+  for (const std::string& plugin : required_plugins(text, file))
     if (on_requires) on_requires(plugin);
   {
     const History::Scope scope(history_, "open");
     clear_graph(editor_);
-    report = read_scene(text, path, types_, editor_);
+    report = read_scene(text, file, types_, editor_);
   }
   history_.clear();
-  history_.mark_saved();
-  scene_path_ = std::filesystem::absolute(path).lexically_normal().string();
+  saved ? history_.mark_saved() : history_.mark_modified();
+  scene_path_ = scene_path;
   read_only_ = report.read_only;
   evaluator_.set_folder(scene_folder().string());
   for (const Node* node : graph_.nodes())

@@ -63,6 +63,9 @@ class Session {
   void new_scene();
   /// Throws GraphError and leaves the scene as it is where the file cannot be read.
   void open_scene(const std::string& path);
+  /// Opens what was kept of a scene that was not saved: as the scene of `scene_path`, which may be empty,
+  /// with unsaved changes. Throws as open_scene().
+  void recover_scene(const std::string& file, const std::string& scene_path);
   /// Adds a scene's nodes to this one.
   std::vector<NodeId> import_scene(const std::string& path, const std::string& name_space);
   /// path: empty for the scene's own. Throws where there is none, or where a newer format would be lost.
@@ -79,6 +82,7 @@ class Session {
 
  private:
   void tell(SceneMoment moment, const std::string& path = "");
+  void take_scene(const std::string& file, const std::string& scene_path, bool saved);
 
   TypeRegistry types_;
   CommandRegistry commands_;

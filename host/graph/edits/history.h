@@ -36,6 +36,25 @@ class History {
     int exceptions_;     // in flight when it was opened
   };
 
+  /// While it lives, those who are told of the last step may add to it: what they perform is undone and
+  /// redone with it. Those who are told of an undo or a redo may not: the steps bring all edits with them,
+  /// and perform() throws GraphError.
+  class Aftermath {
+   public:
+    Aftermath(History& history, bool of_undo) : history_(history) {
+      history_.aftermath_ = of_undo ? After::undo : After::step;
+    }
+    Aftermath(const Aftermath&) = delete;
+    Aftermath& operator=(const Aftermath&) = delete;
+    ~Aftermath() { history_.aftermath_ = After::nothing; }
+
+   private:
+    History& history_;
+  };
+  /// Counts steps that were made, and undos and redos.
+  std::uint64_t steps_made() const { return steps_made_; }
+  std::uint64_t steps_repeated() const { return steps_repeated_; }
+
   /// Applies an edit and records how to undo it.
   void perform(const Edit& edit);
 
@@ -58,6 +77,8 @@ class History {
   /// Whether the scene differs from what it was when it was marked as saved.
   bool is_modified() const { return state() != saved_state_; }
   void mark_saved() { saved_state_ = state(); }
+  /// ... or that it differs from whatever was saved.
+  void mark_modified() { saved_state_ = ~std::uint64_t(0); }
 
  private:
   struct Step {
@@ -72,6 +93,9 @@ class History {
   Graph& graph_;
   std::deque<Step> undo_, redo_;
   Step open_;
+  enum class After { nothing, step, undo };
+  After aftermath_ = After::nothing;
+  std::uint64_t steps_made_ = 0, steps_repeated_ = 0;
   int depth_ = 0;
   bool can_merge_ = false;
   std::uint64_t last_state_ = 0, first_state_ = 0, saved_state_ = 0;

@@ -65,6 +65,42 @@ void show_unsaved_question(Studio& studio) {
   ImGui::EndPopup();
 }
 
+void show_recovery(Studio& studio) {
+  const char* title = "Not saved";
+  if (studio.left_behind.empty()) return;
+  if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+  at_the_middle();
+  if (!ImGui::BeginPopupModal(title, nullptr, plain)) return;
+  const bool appears = ImGui::IsWindowAppearing();
+  const Autosave::Left left = studio.left_behind.front();
+  ImGui::Text(
+      "%s was being edited when the program ended without saving.",
+      left.scene_path.empty() ? "A new scene" : std::filesystem::path(left.scene_path).filename().c_str());
+  ImGui::Spacing();
+  const auto button = [&](const char* label, const char* name) {
+    const bool pressed = ImGui::Button(label, {scaled(110), 0.0f});
+    if (!appears)
+      studio.trace.item(name, vec2(ImGui::GetItemRectMin().x, ImGui::GetItemRectMin().y),
+                        vec2(ImGui::GetItemRectSize().x, ImGui::GetItemRectSize().y));
+    ImGui::SameLine();
+    return pressed;
+  };
+  bool answered = true;
+  if (button("Recover", "recovery recover")) {
+    studio.recover(left);
+    studio.left_behind.clear();  // the others are asked about next time
+  } else if (button("Discard", "recovery discard")) {
+    Autosave::discard(left);
+    studio.left_behind.erase(studio.left_behind.begin());
+  } else if (button("Later", "recovery later")) {
+    studio.left_behind.clear();
+  } else {
+    answered = false;
+  }
+  if (answered) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
 void show_hotkey_list(Studio& studio) {
   if (!studio.show_hotkeys) return;
   at_the_middle();

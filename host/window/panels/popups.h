@@ -1,4 +1,5 @@
-// What opens over the panels: the question about unsaved changes, the list of hotkeys, what a job says.
+// What opens over the panels: the question about unsaved changes, what was left behind, the list of hotkeys,
+// what a job says.
 #pragma once
 
 #include "host/window/studio.h"
@@ -6,6 +7,8 @@
 namespace plinian::window {
 
 void show_unsaved_question(Studio& studio);
+/// Offers what programs that ended without order left behind.
+void show_recovery(Studio& studio);
 void show_hotkey_list(Studio& studio);
 void show_job(Studio& studio);
 

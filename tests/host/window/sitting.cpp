@@ -86,7 +86,8 @@ std::string Sitting::problem() {
   return "Xvfb is not installed";
 }
 
-Sitting::Sitting(const std::vector<std::string>& arguments, ivec2 size) : state_(std::make_unique<State>()) {
+Sitting::Sitting(const std::vector<std::string>& arguments, ivec2 size)
+    : state_(std::make_unique<State>()), size_(size) {
   char name[] = "/tmp/plinian_sitting_XXXXXX";
   if (!mkdtemp(name)) throw std::runtime_error("no temporary folder");
   folder_ = name;
@@ -109,23 +110,39 @@ Sitting::Sitting(const std::vector<std::string>& arguments, ivec2 size) : state_
   ::close(number[0]);
   state_->display_name = std::string(":").append(std::to_string(std::atoi(digits)));
 
+  state_->display = XOpenDisplay(state_->display_name.c_str());
+  if (!state_->display) throw std::runtime_error("the display cannot be opened");
+  start_program(arguments);
+}
+
+void Sitting::start_program(const std::vector<std::string>& arguments) {
   std::vector<std::string> words = {PLINIAN_PROGRAM, "view",
                                     "--trace",       (folder_ / "trace").string(),
-                                    "--size",        std::to_string(size.x) + "x" + std::to_string(size.y)};
+                                    "--size",        std::to_string(size_.x) + "x" + std::to_string(size_.y)};
   words.insert(words.end(), arguments.begin(), arguments.end());
   state_->program = start(words, [&] {
     setenv("DISPLAY", state_->display_name.c_str(), 1);
     unsetenv("WAYLAND_DISPLAY");
     setenv("XDG_CONFIG_HOME", (folder_ / "config").c_str(), 1);
+    setenv("XDG_STATE_HOME", (folder_ / "state").c_str(), 1);
     const int errors = open((folder_ / "errors").c_str(), O_WRONLY | O_CREAT, 0600);
     dup2(errors, STDERR_FILENO);
     if (chdir(folder_.c_str()) != 0) _exit(126);
   });
-  state_->display = XOpenDisplay(state_->display_name.c_str());
-  if (!state_->display) throw std::runtime_error("the display cannot be opened");
   wait_for("item \"picture\"");
   state_->window = find_window(state_->display);
   if (!state_->window) throw std::runtime_error("there is no window");
+}
+
+void Sitting::kill_and_start_again(const std::vector<std::string>& arguments) {
+  kill(state_->program, SIGKILL);
+  waitpid(state_->program, nullptr, 0);
+  state_->program = -1;
+  state_->trace = std::ifstream();
+  state_->rest.clear();
+  lines_.clear();
+  fs::remove(folder_ / "trace");
+  start_program(arguments);
 }
 
 Sitting::~Sitting() {

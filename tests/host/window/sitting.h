@@ -57,6 +57,8 @@ class Sitting {
   void type(const std::string& text);
 
   Pixels pixels(ivec4 area);
+  /// Ends the program as a crash would, and starts it anew.
+  void kill_and_start_again(const std::vector<std::string>& arguments);
   /// Asks the window to close, as a desktop does.
   void ask_to_close();
   /// Waits for the program to end; -1 where it does not within half a minute.
@@ -65,12 +67,14 @@ class Sitting {
 
  private:
   struct State;
+  void start_program(const std::vector<std::string>& arguments);
   void read_trace();
   std::string last_lines() const;
   void pause();
 
   std::unique_ptr<State> state_;
   std::filesystem::path folder_;
+  ivec2 size_;
   std::vector<std::string> lines_;
 };
 

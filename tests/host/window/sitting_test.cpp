@@ -257,5 +257,28 @@ TEST_F(WindowSitting, AsksAboutUnsavedChanges) {
   EXPECT_EQ(text_of(sitting.folder() / "kept.plinian").find("node camera"), std::string::npos);
 }
 
+TEST_F(WindowSitting, OffersAfterACrashWhatWasNotSaved) {
+  const std::vector<std::string> arguments = {"--empty", "--autosave", "0.2"};
+  Sitting sitting(arguments);
+  command(sitting, "createNode transform");
+  command(sitting, "save kept.plinian");
+  const std::size_t before = sitting.now();
+  command(sitting, "setAttr transform1.translate 4 5 6");
+  sitting.wait_for("autosaved", before);
+  sitting.kill_and_start_again(arguments);
+  sitting.wait_for(" still");
+  keep(sitting, "7-recovery");
+  sitting.click(sitting.middle("recovery recover"));
+  sitting.wait_for("recovered");
+  // It is the scene of its own file, with changes that are not saved yet.
+  EXPECT_EQ(text_of(sitting.folder() / "kept.plinian").find(".translate.x 4"), std::string::npos);
+  command(sitting, "save");
+  EXPECT_NE(text_of(sitting.folder() / "kept.plinian").find(".translate.x 4"), std::string::npos);
+  sitting.ask_to_close();
+  EXPECT_EQ(sitting.exit_code(), 0) << sitting.errors();
+  // Who ends in order leaves nothing behind.
+  EXPECT_TRUE(fs::is_empty(sitting.folder() / "state" / "plinian" / "unsaved"));
+}
+
 }  // namespace
 }  // namespace plinian
