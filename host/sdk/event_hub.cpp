@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "core/scene/nearest_word.h"
@@ -129,17 +130,30 @@ void EventHub::passed(graph::SceneMoment moment, const std::string& path) {
 
 void EventHub::begun() {
   mark_ = waiting_.size();
+  steps_before_ = session_.history().steps_made();
+  repeats_before_ = session_.history().steps_repeated();
 }
 
 void EventHub::ended(bool failed) {
   opening_ = false;
   if (failed && mark_ <= waiting_.size()) waiting_.resize(mark_);
   mark_ = 0;
-  deliver();
+  if (delivering_ || session_.history().is_open() || std::this_thread::get_id() != thread_) return;
+  graph::History& history = session_.history();
+  after_undo_ = history.steps_repeated() != repeats_before_;
+  std::optional<graph::History::Aftermath> aftermath;
+  if (after_undo_ || (!failed && history.steps_made() != steps_before_))
+    aftermath.emplace(history, after_undo_);
+  deliver_rounds();
+  after_undo_ = false;
 }
 
 void EventHub::deliver() {
   if (delivering_ || session_.history().is_open() || std::this_thread::get_id() != thread_) return;
+  deliver_rounds();
+}
+
+void EventHub::deliver_rounds() {
   for (int round = 0; round < max_rounds; ++round) {
     if (session_.evaluator().time() != time_) {
       time_ = session_.evaluator().time();
@@ -169,7 +183,8 @@ void EventHub::tell(const SceneEvent& event) {
     } catch (...) {
       failure = "no reason is given";
     }
-    if (failure.empty() || std::exchange(entry->failed, true)) continue;
+    // Who edits whenever it is told is refused after an undo, which is no failure of its own.
+    if (failure.empty() || after_undo_ || std::exchange(entry->failed, true)) continue;
     session_.warn(entry->owner + ": its callback for " + event_name(event.kind) + " failed: " + failure);
   }
   if (!outermost) return;

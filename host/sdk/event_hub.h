@@ -3,6 +3,9 @@
 // Edits are noted as they are made, and told when nothing is under way: after a command that no other one
 // runs, or by deliver(). What a failed command took back is not told. Opening a scene is told as such, not
 // node by node.
+//
+// What callbacks edit belongs to the step of undo that they are told of. Of undo and redo they are told, too,
+// but may edit nothing then: the step brings their edits with it.
 #pragma once
 
 #include <cstdint>
@@ -88,6 +91,7 @@ class EventHub : private graph::GraphObserver, private graph::SessionListener {
   void passed(graph::SceneMoment moment, const std::string& path) override;
   void begun() override;
   void ended(bool failed) override;
+  void deliver_rounds();
   void note(SceneEvent event);
   void tell(const SceneEvent& event);
   bool wanted(EventKind kind) const { return subscribers_[std::size_t(kind)] != 0; }
@@ -98,9 +102,11 @@ class EventHub : private graph::GraphObserver, private graph::SessionListener {
   std::vector<int> subscribers_;                          // by kind
   std::unordered_map<graph::NodeId, std::string> names_;  // of nodes that may be gone when they are told of
   std::vector<SceneEvent> waiting_;
-  std::size_t mark_ = 0;  // where the running command began
-  double time_ = 0.0;     // told last
+  std::size_t mark_ = 0;                                 // where the running command began
+  std::uint64_t steps_before_ = 0, repeats_before_ = 0;  // likewise, of the history
+  double time_ = 0.0;                                    // told last
   bool opening_ = false, delivering_ = false;
+  bool after_undo_ = false;  // what is told is an undo or a redo
 };
 
 }  // namespace plinian::sdk

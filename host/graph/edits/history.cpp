@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cassert>
 #include <exception>
+#include <iterator>
 
+#include "host/graph/graph_error.h"
 #include "host/graph/model/graph.h"
 
 namespace plinian::graph {
@@ -37,6 +39,8 @@ std::vector<Edit> History::play_back(std::vector<Edit>& inverses, std::size_t be
 }
 
 void History::perform(const Edit& edit) {
+  if (aftermath_ == After::undo)
+    throw GraphError("nothing can be edited by who is told of an undo or a redo");
   const Scope scope(*this, "edit");
   open_.inverses.push_back(graph_.apply(edit));
 }
@@ -45,9 +49,17 @@ void History::commit() {
   Step step = std::move(open_);
   open_ = {};
   if (step.inverses.empty()) return;
+  ++steps_made_;
   redo_.clear();
   const bool changes = std::any_of(step.inverses.begin(), step.inverses.end(), changes_scene);
   step.state = changes ? ++last_state_ : state();
+  if (aftermath_ == After::step && !undo_.empty()) {
+    std::vector<Edit>& into = undo_.back().inverses;
+    into.insert(into.end(), std::make_move_iterator(step.inverses.begin()),
+                std::make_move_iterator(step.inverses.end()));
+    undo_.back().state = step.state;
+    return;
+  }
   const bool merges =
       can_merge_ && !step.merge_key.empty() && !undo_.empty() && undo_.back().merge_key == step.merge_key;
   can_merge_ = true;
@@ -74,6 +86,7 @@ void History::commit() {
 std::string History::undo() {
   assert(depth_ == 0);
   if (undo_.empty()) return "";
+  ++steps_repeated_;
   Step step = std::move(undo_.back());
   undo_.pop_back();
   step.inverses = play_back(step.inverses, 0);
@@ -85,6 +98,7 @@ std::string History::undo() {
 std::string History::redo() {
   assert(depth_ == 0);
   if (redo_.empty()) return "";
+  ++steps_repeated_;
   Step step = std::move(redo_.back());
   redo_.pop_back();
   step.inverses = play_back(step.inverses, 0);
