@@ -129,9 +129,20 @@ void Interface::take_input() {
     studio_.unless_unsaved([this] { studio_.quit = true; });
 }
 
+// Where the mouse is seen, and which buttons are down (1 left, 2 right, 4 middle).
+void Interface::note_mouse() {
+  if (!studio_.trace.is_on()) return;
+  const ImGuiIO& io = ImGui::GetIO();
+  const std::string mouse =
+      fmt::format("mouse {:.0f} {:.0f} {}", io.MousePos.x, io.MousePos.y,
+                  int(io.MouseDown[0]) + 2 * int(io.MouseDown[1]) + 4 * int(io.MouseDown[2]));
+  if (mouse != std::exchange(mouse_, mouse)) studio_.trace.note(mouse);
+}
+
 void Interface::draw() {
   const auto begin = std::chrono::steady_clock::now();
   window_.begin_frame();
+  note_mouse();
   ImGui::BeginDisabled(!studio_.job.what.empty());
   show_panels();
   ImGui::EndDisabled();

@@ -34,6 +34,7 @@ class Interface {
   void act(Action action);
   void settle_title();
   void note_work(bool waited);
+  void note_mouse();
   double patience() const;
   double earliness() const;
 
@@ -50,7 +51,7 @@ class Interface {
   double draw_ms_ = 0.0;  // of the last drawing
   std::chrono::steady_clock::time_point drawn_{};
   int redraws_ = 3;
-  std::string title_;
+  std::string title_, mouse_;
   std::chrono::steady_clock::time_point work_began_ = std::chrono::steady_clock::now();
   bool still_ = false;   // nothing is left to be drawn
   bool typing_ = false;  // keys are a field's

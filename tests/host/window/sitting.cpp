@@ -259,23 +259,36 @@ void Sitting::release(unsigned button) {
   pause();
 }
 
-// A turn of the interface lies between the steps of a hand: it tells where it saw the mouse.
+void Sitting::wait_for_mouse(ivec2 at, unsigned button) {
+  const int down = button == 1 ? 1 : button == 2 ? 4 : button == 3 ? 2 : 0;
+  const std::string wanted =
+      "mouse " + std::to_string(at.x) + " " + std::to_string(at.y) + " " + std::to_string(down);
+  // What was seen last counts, not that it was there before.
+  const std::vector<std::string>& seen = lines();
+  std::size_t last = seen.size();
+  while (last > 0 && seen[last - 1].find(" mouse ") == std::string::npos) --last;
+  if (last == 0 || !seen[last - 1].ends_with(wanted))
+    wait_for([&](const std::string& line) { return line.ends_with(wanted); }, last);
+}
+
+// A hand sees what it does: however slow the window is, it has seen each part before the next one comes.
 void Sitting::click(ivec2 at, unsigned button) {
   move(at);
-  pause();
+  wait_for_mouse(at, 0);
   press(button);
-  pause();
+  wait_for_mouse(at, button);
   release(button);
 }
 
 void Sitting::drag(ivec2 from, ivec2 to, unsigned button) {
   move(from);
-  pause();
+  wait_for_mouse(from, 0);
   press(button);
-  pause();
+  wait_for_mouse(from, button);
   for (int i = 1; i <= 10; ++i) move(from + (to - from) * i / 10);
-  pause();
+  wait_for_mouse(to, button);
   release(button);
+  wait_for_mouse(to, 0);
 }
 
 void Sitting::key_down(const char* keysym) {

@@ -44,6 +44,8 @@ class Sitting {
   ivec4 item(const std::string& name);
   ivec2 middle(const std::string& name);
 
+  /// Waits until the window has seen the mouse there. button: that is down; 0: none.
+  void wait_for_mouse(ivec2 at, unsigned button);
   void move(ivec2 to);
   void press(unsigned button = 1);
   void release(unsigned button = 1);
