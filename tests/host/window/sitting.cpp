@@ -198,7 +198,7 @@ std::size_t Sitting::wait_for(const std::function<bool(const std::string&)>& wan
       state_->program = -1;
       throw std::runtime_error("the program ended: " + errors());
     }
-    if (Clock::now() - begin > std::chrono::seconds(45))
+    if (Clock::now() - begin > std::chrono::seconds(90))
       throw std::runtime_error("what was waited for did not come; the trace ends with\n" + last_lines() +
                                errors());
     std::this_thread::sleep_for(std::chrono::milliseconds(5));

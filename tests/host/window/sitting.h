@@ -30,7 +30,7 @@ class Sitting {
   const std::filesystem::path& folder() const { return folder_; }
 
   /// Waits until a line of the trace, from the one `since` on, satisfies; returns its number. Throws where
-  /// none comes within 45 seconds or the program ends.
+  /// none comes within 90 seconds or the program ends.
   std::size_t wait_for(const std::function<bool(const std::string&)>& wanted, std::size_t since = 0);
   /// ... that holds these words in a row.
   std::size_t wait_for(const std::string& words, std::size_t since = 0);
