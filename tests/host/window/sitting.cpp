@@ -88,9 +88,6 @@ std::string Sitting::problem() {
 
 Sitting::Sitting(const std::vector<std::string>& arguments, ivec2 size)
     : state_(std::make_unique<State>()), size_(size) {
-  char name[] = "/tmp/plinian_sitting_XXXXXX";
-  if (!mkdtemp(name)) throw std::runtime_error("no temporary folder");
-  folder_ = name;
   int number[2];
   if (pipe(number) != 0) throw std::runtime_error("no pipe");
   const std::string screen = std::to_string(size.x) + "x" + std::to_string(size.y) + "x24";
@@ -117,17 +114,17 @@ Sitting::Sitting(const std::vector<std::string>& arguments, ivec2 size)
 
 void Sitting::start_program(const std::vector<std::string>& arguments) {
   std::vector<std::string> words = {PLINIAN_PROGRAM, "view",
-                                    "--trace",       (folder_ / "trace").string(),
+                                    "--trace",       folder_ / "trace",
                                     "--size",        std::to_string(size_.x) + "x" + std::to_string(size_.y)};
   words.insert(words.end(), arguments.begin(), arguments.end());
   state_->program = start(words, [&] {
     setenv("DISPLAY", state_->display_name.c_str(), 1);
     unsetenv("WAYLAND_DISPLAY");
-    setenv("XDG_CONFIG_HOME", (folder_ / "config").c_str(), 1);
-    setenv("XDG_STATE_HOME", (folder_ / "state").c_str(), 1);
-    const int errors = open((folder_ / "errors").c_str(), O_WRONLY | O_CREAT, 0600);
+    setenv("XDG_CONFIG_HOME", (folder() / "config").c_str(), 1);
+    setenv("XDG_STATE_HOME", (folder() / "state").c_str(), 1);
+    const int errors = open((folder() / "errors").c_str(), O_WRONLY | O_CREAT, 0600);
     dup2(errors, STDERR_FILENO);
-    if (chdir(folder_.c_str()) != 0) _exit(126);
+    if (chdir(folder().c_str()) != 0) _exit(126);
   });
   wait_for("item \"picture\"");
   state_->window = find_window(state_->display);
@@ -149,8 +146,6 @@ Sitting::~Sitting() {
   end(state_->program);
   if (state_->display) XCloseDisplay(state_->display);
   end(state_->server);
-  std::error_code ignored;
-  fs::remove_all(folder_, ignored);
 }
 
 std::string Sitting::errors() const {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/shared/glue.h"
+#include "tests/core/scene/temporary_folder.h"
 
 namespace plinian {
 
@@ -27,7 +28,7 @@ class Sitting {
   static std::string problem();
 
   /// A folder of its own, where the program runs.
-  const std::filesystem::path& folder() const { return folder_; }
+  const std::filesystem::path& folder() const { return folder_.path(); }
 
   /// Waits until a line of the trace, from the one `since` on, satisfies; returns its number. Throws where
   /// none comes within 90 seconds or the program ends.
@@ -75,7 +76,7 @@ class Sitting {
   void pause();
 
   std::unique_ptr<State> state_;
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
   ivec2 size_;
   std::vector<std::string> lines_;
 };
