@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "core/scene/nearest_word.h"
+#include "host/graph/edits/sleep.h"
 #include "host/graph/files/scene_writer.h"
 #include "host/graph/files/unknown_nodes.h"
 #include "host/graph/graph_error.h"
@@ -55,6 +56,7 @@ PluginManager::PluginManager(graph::Session& session, std::vector<fs::path> fold
 PluginManager::~PluginManager() {
   session_.on_requires = nullptr;
   graph::drop_unwritable_data(session_.editor());
+  session_.history().forget_steps();
   while (!libraries_.empty()) remove(*libraries_.begin()->second);
   for (const char* command : {"loadPlugin", "unloadPlugin", "pluginInfo"})
     session_.commands().remove(command);
@@ -87,10 +89,24 @@ std::string PluginManager::load(const std::string& name_or_path) {
   const PluginDescription& description = library->description;
   library->registrar.name = "the plug-in '" + description.name + "'";
   if (const std::string problem = abi_problem(description); !problem.empty()) throw refuse(problem);
-  if (libraries_.contains(description.name))
-    throw refuse("the plug-in '" + description.name + "' is loaded already, from " +
-                 libraries_.at(description.name)->path);
+  if (const auto loaded = libraries_.find(description.name); loaded != libraries_.end()) {
+    if (revive(*loaded->second)) return description.name;
+    throw refuse("the plug-in '" + description.name + "' is loaded already, from " + loaded->second->path);
+  }
 
+  // Whoever loads a library that is still in memory gets that one, whatever its file holds by now.
+  std::error_code no_time;
+  const auto written = fs::last_write_time(library->path, no_time);
+  if (void* mapped = ::dlopen(fs::absolute(library->path).c_str(), RTLD_NOW | RTLD_NOLOAD)) {
+    ::dlclose(mapped);
+    const auto before = written_.find(library->path);
+    if (before != written_.end() && before->second != written)
+      session_.warn(library->path +
+                    ": has changed, but something still holds data of what was loaded before, which is used "
+                    "again: start anew to use what is in the file");
+  } else {
+    written_[library->path] = written;
+  }
   library->handle = ::dlopen(fs::absolute(library->path).c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!library->handle) {
     const char* why = ::dlerror();
@@ -213,11 +229,36 @@ void PluginManager::withdraw(const Library& library) {
 std::string PluginManager::adopt(std::unique_ptr<Library> library) {
   const std::string name = library->description.name;
   const Library& kept = *libraries_.emplace(name, std::move(library)).first->second;
-  for (const graph::NodeTypePtr& type : kept.types)
-    for (const std::string& warning : graph::revive_nodes(session_.editor(), type)) session_.warn(warning);
+  graph::History& history = session_.history();
+  std::size_t forgotten = 0;
+  for (const graph::NodeTypePtr& type : kept.types) forgotten += graph::wake(history, type);
   for (const std::string& type : kept.data_types)
-    for (const std::string& warning : graph::revive_data(session_.editor(), type)) session_.warn(warning);
+    forgotten += graph::wake(history, *session_.types().find_data_type(type));
+  warn_of_forgotten(forgotten, "the plug-in '" + name + "' does not declare what it did when they were made");
+  // Nothing happened since it went: it is as if it had stayed.
+  if (!history.take_back_form("unload " + name)) revive(kept);
   return name;
+}
+
+// Nodes and data that were waiting for the plug-in come alive. Returns whether there were any.
+bool PluginManager::revive(const Library& library) {
+  const std::string& name = library.description.name;
+  const std::uint64_t before = session_.history().steps_made();
+  {
+    const graph::History::Scope scope(session_.history(), "loadPlugin " + name,
+                                      graph::History::Scope::Form{"load " + name});
+    for (const graph::NodeTypePtr& type : library.types)
+      for (const std::string& warning : graph::revive_nodes(session_.editor(), type)) session_.warn(warning);
+    for (const std::string& type : library.data_types)
+      for (const std::string& warning : graph::revive_data(session_.editor(), type)) session_.warn(warning);
+  }
+  return session_.history().steps_made() != before;
+}
+
+void PluginManager::warn_of_forgotten(std::size_t steps, const std::string& why) {
+  if (steps > 0)
+    session_.warn(std::to_string(steps) + (steps == 1 ? " step" : " steps") +
+                  " of undo cannot be had any more: " + why);
 }
 
 void PluginManager::unload(const std::string& name, bool force) {
@@ -254,22 +295,33 @@ void PluginManager::remove(Library& library) {
   for (const graph::NodeTypePtr& type : library.types)
     if (draw_overrides_.contains(type->name()))
       for (DrawOverrideListener* listener : listeners_) listener->goes(type->name());
-  for (const graph::NodeTypePtr& type : library.types) graph::forget_type(session_.editor(), type);
-  for (const std::string& type : library.data_types) graph::forget_data(session_.editor(), type);
-  // Steps of undo would bring back nodes whose code is gone.
-  if (!library.types.empty()) session_.history().forget_steps();
+  graph::History& history = session_.history();
+  const std::string name = library.description.name;
+  {
+    const graph::History::Scope scope(history, "unloadPlugin " + name,
+                                      graph::History::Scope::Form{"unload " + name});
+    for (const graph::NodeTypePtr& type : library.types) graph::forget_type(session_.editor(), type);
+    for (const std::string& type : library.data_types) graph::forget_data(session_.editor(), type);
+  }
+  // Steps of undo hold nodes and data whose code goes.
+  for (const graph::NodeTypePtr& type : library.types) graph::put_to_sleep(history, type);
+  std::size_t forgotten = 0;
+  for (const std::string& type : library.data_types)
+    forgotten += graph::put_to_sleep(history, *session_.types().find_data_type(type));
+  warn_of_forgotten(forgotten, "they hold data of the plug-in '" + name + "' that cannot be written");
   withdraw(library);
   library.registrar.subscriptions.clear();
   // Nothing of it may run any more, nor be held, before it goes.
   session_.evaluator().cancel_all();
   session_.evaluator().finish();
   session_.evaluator().forget();
+  session_.graph().snapshot();  // in the place of the last one, which holds nodes as they were
   library.types.clear();
   library.uninitialise(&library.registrar.host());
   // Somebody, a picture on the screen for instance, may still hold data that the library must release: then
   // it stays.
   if (library.handle && library.registrar.data->objects == 0) ::dlclose(library.handle);
-  libraries_.erase(std::string(library.description.name));
+  libraries_.erase(name);
 }
 
 const std::vector<HandleSpec>& PluginManager::handles(const std::string& node_type) const {

@@ -44,7 +44,8 @@ class PluginManager {
 
   /// Unloads a plug-in once running evaluations have ended. Throws GraphError where it is a part of the
   /// program, and, naming nodes of its types, where there are any; with `force` they become unknown ones that
-  /// keep everything. Forgets results, and steps of undo where nodes changed.
+  /// keep everything. Forgets results. Steps of undo stay; those that hold what is of the plug-in wait until
+  /// it is loaded again.
   void unload(const std::string& name, bool force);
 
   struct Loaded {
@@ -73,6 +74,8 @@ class PluginManager {
   void enter(Library& library);
   void withdraw(const Library& library);
   void remove(Library& library);
+  bool revive(const Library& library);
+  void warn_of_forgotten(std::size_t steps, const std::string& why);
 
   graph::Session& session_;
   EventHub events_{session_};
@@ -82,6 +85,7 @@ class PluginManager {
   std::vector<DrawOverrideListener*> listeners_;
   std::vector<std::filesystem::path> folders_;
   std::map<std::string, std::unique_ptr<Library>> libraries_;
+  std::map<std::string, std::filesystem::file_time_type> written_;  // libraries that are in memory, by path
 };
 
 }  // namespace plinian::sdk

@@ -6,6 +6,7 @@
 #include <exception>
 #include <iterator>
 
+#include "host/graph/edits/sleep.h"
 #include "host/graph/graph_error.h"
 #include "host/graph/model/graph.h"
 
@@ -16,6 +17,10 @@ History::Scope::Scope(History& history, std::string name, std::string merge_key)
   if (history_.depth_++ > 0) return;
   history_.open_.name = std::move(name);
   history_.open_.merge_key = std::move(merge_key);
+}
+
+History::Scope::Scope(History& history, std::string name, Form form) : Scope(history, std::move(name)) {
+  if (history.depth_ == 1) history.open_.form = std::move(form.reason);
 }
 
 History::Scope::~Scope() {
@@ -51,13 +56,15 @@ void History::commit() {
   if (step.inverses.empty()) return;
   ++steps_made_;
   redo_.clear();
-  const bool changes = std::any_of(step.inverses.begin(), step.inverses.end(), changes_scene);
+  const bool changes =
+      step.form.empty() && std::any_of(step.inverses.begin(), step.inverses.end(), changes_scene);
   step.state = changes ? ++last_state_ : state();
   if (aftermath_ == After::step && !undo_.empty()) {
     std::vector<Edit>& into = undo_.back().inverses;
     into.insert(into.end(), std::make_move_iterator(step.inverses.begin()),
                 std::make_move_iterator(step.inverses.end()));
     undo_.back().state = step.state;
+    if (changes) undo_.back().form.clear();
     return;
   }
   const bool merges =
@@ -83,28 +90,61 @@ void History::commit() {
   }
 }
 
-std::string History::undo() {
+// Plays back the last step of one list and hangs it onto the other.
+void History::repeat(std::deque<Step>& from, std::deque<Step>& to) {
   assert(depth_ == 0);
-  if (undo_.empty()) return "";
+  for (const Edit& edit : from.back().inverses)
+    if (const std::string what = sleeping_part(edit); !what.empty())
+      throw GraphError("'" + from.back().name + "' brings back " + what);
   ++steps_repeated_;
-  Step step = std::move(undo_.back());
-  undo_.pop_back();
+  Step step = std::move(from.back());
+  from.pop_back();
   step.inverses = play_back(step.inverses, 0);
   can_merge_ = false;
-  redo_.push_back(std::move(step));
+  to.push_back(std::move(step));
+}
+
+std::string History::undo() {
+  if (undo_.empty()) return "";
+  repeat(undo_, redo_);
   return redo_.back().name;
 }
 
 std::string History::redo() {
-  assert(depth_ == 0);
   if (redo_.empty()) return "";
-  ++steps_repeated_;
-  Step step = std::move(redo_.back());
-  redo_.pop_back();
-  step.inverses = play_back(step.inverses, 0);
-  can_merge_ = false;
-  undo_.push_back(std::move(step));
+  repeat(redo_, undo_);
   return undo_.back().name;
+}
+
+bool History::take_back_form(const std::string& reason) {
+  if (undo_.empty() || undo_.back().form != reason ||
+      std::any_of(undo_.back().inverses.begin(), undo_.back().inverses.end(),
+                  [](const Edit& edit) { return !sleeping_part(edit).empty(); }))
+    return false;
+  undo();
+  redo_.clear();
+  return true;
+}
+
+std::size_t History::forget_steps_where(const std::function<bool(const Edit&)>& lost) {
+  const auto is_lost = [&](const Step& step) {
+    return std::any_of(step.inverses.begin(), step.inverses.end(), lost);
+  };
+  // The oldest are in front of either list.
+  const auto forget = [&](std::deque<Step>& steps) {
+    const auto last = std::find_if(steps.rbegin(), steps.rend(), is_lost).base();
+    const auto count = std::size_t(last - steps.begin());
+    if (&steps == &undo_ && count > 0) first_state_ = undo_[count - 1].state;
+    steps.erase(steps.begin(), last);
+    return count;
+  };
+  return forget(undo_) + forget(redo_);
+}
+
+void History::rewrite(const std::function<void(Edit&)>& rewrite_edit) {
+  for (std::deque<Step>* steps : {&undo_, &redo_})
+    for (Step& step : *steps)
+      for (Edit& edit : step.inverses) rewrite_edit(edit);
 }
 
 std::vector<std::string> History::undo_names() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,12 @@ class History {
     /// merge_key: where it is not empty and the last step has the same one, both become one step; the edits
     /// of a drag share a key.
     explicit Scope(History& history, std::string name, std::string merge_key = "");
+    /// The step says the same scene in another form: what becomes of nodes when the plug-in comes or goes.
+    /// It leaves it at that whether the scene was modified.
+    struct Form {
+      std::string reason;
+    };
+    Scope(History& history, std::string name, Form form);
     Scope(const Scope&) = delete;
     Scope& operator=(const Scope&) = delete;
     ~Scope();
@@ -58,7 +65,8 @@ class History {
   /// Applies an edit and records how to undo it.
   void perform(const Edit& edit);
 
-  /// Takes back the last step, or does it again. Returns its name; empty where there is none. Not within a
+  /// Takes back the last step, or does it again. Returns its name; empty where there is none. Throws
+  /// GraphError, and leaves it, where the step holds what is of a plug-in that is not loaded. Not within a
   /// scope.
   std::string undo();
   std::string redo();
@@ -73,6 +81,12 @@ class History {
   void clear();
   /// ... and leaves it at that whether the scene was modified.
   void forget_steps();
+  /// Forgets the steps that have such an edit, and those that are reached through them. Returns how many.
+  std::size_t forget_steps_where(const std::function<bool(const Edit&)>& lost);
+  /// Where the last step is such a change of form for that reason, takes it back for good.
+  bool take_back_form(const std::string& reason);
+  /// Shows every edit that steps hold to who may put another in its place that means the same.
+  void rewrite(const std::function<void(Edit&)>& rewrite_edit);
 
   /// Whether the scene differs from what it was when it was marked as saved.
   bool is_modified() const { return state() != saved_state_; }
@@ -83,11 +97,13 @@ class History {
  private:
   struct Step {
     std::string name, merge_key;
+    std::string form;            // not empty: it changes how the scene is held, not what it says
     std::vector<Edit> inverses;  // in the order in which they were done
     std::uint64_t state = 0;     // number of the state of the scene that the step leads to
   };
   std::uint64_t state() const { return undo_.empty() ? first_state_ : undo_.back().state; }
   void commit();
+  void repeat(std::deque<Step>& from, std::deque<Step>& to);
   std::vector<Edit> play_back(std::vector<Edit>& inverses, std::size_t begin);
 
   Graph& graph_;

@@ -16,7 +16,6 @@ bool is_of(const Node& node, AttributeIndex attribute, const std::string& data_t
 std::vector<std::string> revive_data(Editor& editor, const std::string& data_type) {
   const Graph& graph = editor.graph();
   std::vector<std::string> warnings;
-  bool changed = false;
   for (const Node* found : graph.nodes()) {
     if (found->type->is_unknown() || found->kept.empty()) continue;
     const NodeId id = found->id;
@@ -43,11 +42,9 @@ std::vector<std::string> revive_data(Editor& editor, const std::string& data_typ
       if (!alive) rest.push_back(kept);
     }
     if (values.empty()) continue;
-    changed = true;
     editor.set_kept(id, std::move(rest));
     for (auto& [plug, value] : values) editor.history().perform(SetValue{plug, std::move(value)});
   }
-  if (changed) editor.history().forget_steps();
   return warnings;
 }
 
@@ -69,7 +66,6 @@ void forget_data(Editor& editor, const std::string& data_type) {
     for (const Plug& plug : plugs) editor.history().perform(SetValue{plug, std::nullopt});
     editor.set_kept(id, std::move(kept));
   }
-  editor.history().forget_steps();
 }
 
 void drop_unwritable_data(Editor& editor) {

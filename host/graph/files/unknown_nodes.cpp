@@ -78,7 +78,6 @@ std::vector<std::string> revive_nodes(Editor& editor, const NodeTypePtr& type) {
     editor.set_kept(id, std::move(rest));
     finish_node(editor, id, waiting, node_of, warn);
   }
-  editor.history().forget_steps();
   return warnings;
 }
 
@@ -130,7 +129,6 @@ void forget_type(Editor& editor, const NodeTypePtr& type) {
         [](int, const std::string&) {});
   }
   editor.set_kept_type(type->name(), std::move(kept));
-  editor.history().forget_steps();
 }
 
 }  // namespace plinian::graph

@@ -9,20 +9,18 @@
 namespace plinian::graph {
 
 /// Makes nodes of a type that was unknown what they were, connections and all, once the type is registered.
-/// Returns warnings about lines that still mean nothing. Forgets the steps of undo where it changed anything:
-/// they speak of attributes by their place.
+/// Returns warnings about lines that still mean nothing.
 std::vector<std::string> revive_nodes(Editor& editor, const NodeTypePtr& type);
 
-/// Turns the nodes of a type into unknown ones that keep every line and connection. Forgets the steps of
-/// undo.
+/// Turns the nodes of a type into unknown ones that keep every line and connection. Steps of undo still hold
+/// nodes of it.
 void forget_type(Editor& editor, const NodeTypePtr& type);
 
 /// Gives values of a data type back to the nodes that kept them as lines, once the type is registered.
-/// Forgets the steps of undo where it changed anything.
 std::vector<std::string> revive_data(Editor& editor, const std::string& data_type);
 
-/// Turns values of a data type into lines that their nodes keep, before the type goes. Forgets the steps of
-/// undo, which may hold such values.
+/// Turns values of a data type into lines that their nodes keep, before the type goes. Steps of undo still
+/// hold such values.
 void forget_data(Editor& editor, const std::string& data_type);
 
 /// Resets attributes whose data cannot be written: for the end of a session, when nothing can be kept for

@@ -1,6 +1,8 @@
 // Node types.
 #include "host/graph/types/node_type.h"
 
+#include <tuple>
+
 #include "host/graph/graph_error.h"
 
 namespace plinian::graph {
@@ -39,6 +41,34 @@ std::shared_ptr<const NodeType> NodeType::unknown(std::string name, int version)
   type->schema_ = std::make_shared<const Schema>();
   type->unknown_ = true;
   return type;
+}
+
+std::shared_ptr<const NodeType> NodeType::without_code() const {
+  const std::shared_ptr<NodeType> type(new NodeType(*this));
+  type->spec_.compute = nullptr;
+  type->spec_.migrators.clear();
+  type->codeless_ = true;
+  return type;
+}
+
+bool NodeType::holds_the_same(const NodeType& other) const {
+  const Schema &a = *schema_, &b = *other.schema_;
+  if (name() != other.name() || version() != other.version() || a.size() != b.size() ||
+      spec_.hierarchical != other.spec_.hierarchical || spec_.holds_children != other.spec_.holds_children)
+    return false;
+  const auto facts = [](const SchemaAttribute& attribute) {
+    const AttributeSpec& s = attribute.spec;
+    return std::tie(attribute.path, s.type, s.array, s.output, s.data_type, s.default_value, s.minimum,
+                    s.maximum);
+  };
+  const auto numbers = [](const SchemaAttribute& attribute) {
+    std::vector<int> result;
+    for (const Choice& choice : attribute.spec.choices) result.push_back(choice.value);
+    return result;
+  };
+  for (AttributeIndex i = 0; i < a.size(); ++i)
+    if (facts(a[i]) != facts(b[i]) || numbers(a[i]) != numbers(b[i])) return false;
+  return true;
 }
 
 std::string NodeType::current_path(std::string_view path) const {

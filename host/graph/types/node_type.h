@@ -57,12 +57,19 @@ class NodeType {
   explicit NodeType(NodeTypeSpec spec);
   /// What stands in for a type that is not registered here: without attributes, and knowing its name only.
   static std::shared_ptr<const NodeType> unknown(std::string name, int version);
+  /// What is left of a type whose code goes: its declaration without a function. Only steps of undo hold
+  /// nodes of it.
+  std::shared_ptr<const NodeType> without_code() const;
 
   const std::string& name() const { return spec_.name; }
   int version() const { return spec_.version; }
   const NodeTypeSpec& spec() const { return spec_; }
   const SchemaPtr& schema() const { return schema_; }
   bool is_unknown() const { return unknown_; }
+  bool has_no_code() const { return codeless_; }
+  /// Whether edits of nodes of the one type mean the same for the other: attributes of the same names, types,
+  /// defaults and hard ranges in the same order, and the same version.
+  bool holds_the_same(const NodeType& other) const;
   /// What an attribute is called now: the path itself, or the one that an old name stands for.
   std::string current_path(std::string_view path) const;
 
@@ -71,7 +78,7 @@ class NodeType {
 
   NodeTypeSpec spec_;
   SchemaPtr schema_;
-  bool unknown_ = false;
+  bool unknown_ = false, codeless_ = false;
 };
 
 using NodeTypePtr = std::shared_ptr<const NodeType>;

@@ -78,6 +78,7 @@ struct Data {
   std::shared_ptr<const void> object;  // what it is, the readers of the type know
   std::size_t bytes = 0;               // held in memory by it
   std::uint64_t content = 0;           // equal for equal content; 0: not known
+  bool asleep = false;                 // object: the bytes (std::string) of what nobody here can read now
 };
 using DataPtr = std::shared_ptr<const Data>;
 

@@ -20,6 +20,9 @@ void initialise(Plugin& plugin) {
   NodeType wobble(WOBBLE_TYPE, 2);
   wobble.help = "Doubles a number, and makes data of it.";
   wobble.aliases = "strength=amount";
+#ifdef WOBBLE_CHANGED  // as somebody built it a day later
+  wobble.add({.name = "first", .affects = "out"});
+#endif
   const Attribute amount = wobble.add({.name = "amount",
                                        .default_value = "1",
                                        .help = "What is doubled.",
