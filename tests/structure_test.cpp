@@ -164,20 +164,23 @@ TEST(Structure, EverySourceIsListedInTheCMakeListsOfItsFolder) {
     }
 }
 
-// What the README shows of the tutorial's plug-in is what is built and run by the installation's test.
-TEST(Structure, TheReadmeShowsTheTutorialAsItIs) {
+// An example that the README shows is the one that is installed, and whole: block after block is the file.
+TEST(Structure, TheReadmeShowsTheExamplesWholeAndAsTheyAre) {
   const std::string readme = text_of(root / "README.md");
   const std::size_t begin = readme.find("\n## Plug-ins\n"), end = readme.find("\n## ", begin + 1);
   ASSERT_NE(begin, std::string::npos);
   const std::string chapter = readme.substr(begin, end - begin);
-  const std::string shown = text_of(root / "tests/install/tutorial/marker.cpp") +
-                            text_of(root / "tests/install/tutorial/CMakeLists.txt");
-  const std::regex block("```c[a-z]+\n([^`]*)```");
-  int blocks = 0;
-  for (std::sregex_iterator match(chapter.begin(), chapter.end(), block), none; match != none;
-       ++match, ++blocks)
-    EXPECT_NE(shown.find((*match)[1]), std::string::npos) << (*match)[1];
-  EXPECT_GE(blocks, 5);
+  const std::regex block("```(cmake|cpp)\n([^`]*)```");
+  std::map<std::string, std::string> shown;  // by language
+  for (std::sregex_iterator match(chapter.begin(), chapter.end(), block), none; match != none; ++match)
+    shown[(*match)[1]] += (*match)[2];
+  const auto without_empty_lines = [](const std::string& text) {
+    return std::regex_replace(text, std::regex("\n\n+"), "\n");
+  };
+  const fs::path examples = root / "host/sdk/examples";
+  EXPECT_EQ(without_empty_lines(shown["cpp"]), without_empty_lines(text_of(examples / "marker/marker.cpp") +
+                                                                   text_of(examples / "puff/puff.cpp")));
+  EXPECT_EQ(shown["cmake"], text_of(examples / "marker/CMakeLists.txt"));
 }
 
 TEST(Structure, NothingStandsAtTheTopThatDoesNotBelongThere) {

@@ -22,27 +22,38 @@ run(${CMAKE_COMMAND} -S ${SOURCE}/tests/install/plugin -B ${WORK}/plugin -G Ninj
     -DCMAKE_PREFIX_PATH=${WORK}/prefix)
 run(${CMAKE_COMMAND} --build ${WORK}/plugin)
 
-# The tutorial's, as it is and with the other strings of the C++ library; a program of the tests loads both.
-foreach(name marker marker_old)
-  set(definitions "")
-  if(name STREQUAL marker_old)
-    set(definitions -DCMAKE_CXX_FLAGS=-D_GLIBCXX_USE_CXX11_ABI=0)
-  endif()
-  run(${CMAKE_COMMAND} -S ${SOURCE}/tests/install/tutorial -B ${WORK}/${name} -G Ninja -DCMAKE_BUILD_TYPE=Release
-      -DCMAKE_PREFIX_PATH=${WORK}/prefix ${definitions})
-  run(${CMAKE_COMMAND} --build ${WORK}/${name})
-  file(COPY_FILE ${WORK}/${name}/marker.so ${WORK}/tutorial_${name}.so)
-endforeach()
-file(MAKE_DIRECTORY ${WORK}/tutorial)
-file(RENAME ${WORK}/tutorial_marker.so ${WORK}/tutorial/marker.so)
-file(RENAME ${WORK}/tutorial_marker_old.so ${WORK}/tutorial/marker_old.so)
-run(${CMAKE_COMMAND} -E env PLINIAN_TUTORIAL=${WORK}/tutorial ${BUILD}/tests/host/draw/draw_test --gtest_filter=*Tutorial*)
+# The examples, from the installation and by the lines of its README; they answer what stands there.
+set(examples ${WORK}/prefix/share/plinian/examples)
+file(READ ${WORK}/prefix/share/doc/plinian/README.md readme)
+if(NOT readme MATCHES "```sh\nprefix=[^\n]*\n([^`]*)```\n+```text\n([^`]*)```")
+  message(FATAL_ERROR "the README does not say how its examples are built")
+endif()
+set(lines "${CMAKE_MATCH_1}")
+set(answers "${CMAKE_MATCH_2}")
+file(WRITE ${WORK}/readme.sh "prefix=${WORK}/prefix\n${lines}")
+file(MAKE_DIRECTORY ${WORK}/author)
+execute_process(COMMAND sh -ex ${WORK}/readme.sh WORKING_DIRECTORY ${WORK}/author RESULT_VARIABLE code
+                OUTPUT_VARIABLE output ERROR_VARIABLE errors)
+if(NOT code EQUAL 0)
+  message(FATAL_ERROR "the README's lines ended with ${code}:\n${output}\n${errors}")
+endif()
+string(FIND "${output}" "${answers}" at)
+if(at EQUAL -1)
+  message(FATAL_ERROR "the README's lines do not answer\n${answers}\nbut\n${output}")
+endif()
+if(NOT EXISTS ${WORK}/author/puff.png)
+  message(FATAL_ERROR "the README's lines made no picture:\n${output}\n${errors}")
+endif()
+
+# The tutorial's as it is and with the other strings of the C++ library; a program of the tests loads both.
+run(${CMAKE_COMMAND} -S ${examples}/marker -B ${WORK}/marker_old -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/prefix
+    -DCMAKE_CXX_FLAGS=-D_GLIBCXX_USE_CXX11_ABI=0)
+run(${CMAKE_COMMAND} --build ${WORK}/marker_old)
+file(COPY_FILE ${WORK}/marker_old/marker.so ${WORK}/author/marker/marker_old.so)
+run(${CMAKE_COMMAND} -E env PLINIAN_TUTORIAL=${WORK}/author/marker ${BUILD}/tests/host/draw/draw_test --gtest_filter=*Tutorial*)
 
 # A shape of its own: it overlaps an atfmVolume, and each shadows the other.
-run(${CMAKE_COMMAND} -S ${SOURCE}/tests/install/puff -B ${WORK}/puff -G Ninja -DCMAKE_BUILD_TYPE=Release
-    -DCMAKE_PREFIX_PATH=${WORK}/prefix)
-run(${CMAKE_COMMAND} --build ${WORK}/puff)
-run(${CMAKE_COMMAND} -E env PLINIAN_SECOND_SHAPE=${WORK}/puff ${BUILD}/tests/host/scene/host_scene_test
+run(${CMAKE_COMMAND} -E env PLINIAN_SECOND_SHAPE=${WORK}/author/puff ${BUILD}/tests/host/scene/host_scene_test
     --gtest_filter=SecondShape.*)
 
 set(program ${WORK}/prefix/bin/plinian)

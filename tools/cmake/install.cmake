@@ -15,6 +15,7 @@ install(DIRECTORY host/sdk/abi host/sdk/plugin DESTINATION ${CMAKE_INSTALL_INCLU
 foreach(folder core viewport)
   install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plinian FILES_MATCHING PATTERN "*.h")
 endforeach()
+install(DIRECTORY host/sdk/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/plinian)
 install(DIRECTORY presets DESTINATION ${CMAKE_INSTALL_DATADIR}/plinian)
 install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
