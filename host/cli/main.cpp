@@ -13,6 +13,7 @@
 #include "host/cli/command.h"
 #include "host/cli/console.h"
 #include "host/cli/progress.h"
+#include "host/sdk/inside_plugin.h"
 #include "host/window/window.h"
 
 namespace plinian::cli {
@@ -194,6 +195,7 @@ int main(int argc, char** argv) {
   // and having it cleared again, took 10 of the 136 ms of a frame.
   mallopt(M_MMAP_THRESHOLD, 32 << 20);
   mallopt(M_TRIM_THRESHOLD, 128 << 20);
+  sdk::tell_of_crashes();
   try {
     return cli::run(argc, argv);
   } catch (const RenderCancelled&) {

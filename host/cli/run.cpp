@@ -48,7 +48,10 @@ int run_run(const RunArguments& arguments) {
   if (!arguments.scenes.empty()) session.open_scene(arguments.scenes.front());
   if (arguments.echo) session.on_echo = [](const std::string& line) { print("> " + line + "\n"); };
   graph::run_script(session, text, arguments.script == "-" ? "standard input" : arguments.script,
-                    [](const std::string& line) { print(line + "\n"); });
+                    [](const std::string& line) {
+                      print(line + "\n");
+                      std::fflush(stdout);  // what was answered is out, whatever comes
+                    });
   return exit_success;
 }
 

@@ -7,6 +7,7 @@
 
 #include "host/draw/gl_state.h"
 #include "host/graph/graph_error.h"
+#include "host/sdk/inside_plugin.h"
 
 namespace plinian::draw {
 
@@ -144,13 +145,16 @@ void DrawDriver::report(const Item& item, const std::string& what) {
 
 // Runs a function of the plug-in; the state of GL is what it was before. False where it failed, which is
 // told.
-bool DrawDriver::guarded_by_state(Item& item, const char* what, const std::function<bool()>& action) {
+bool DrawDriver::guarded_by_state(Item& item, const char* what, const char* doing,
+                                  const std::function<bool()>& action) {
   forget_errors();
   failure_.clear();
   bool success = false;
   GLenum error = GL_NO_ERROR;
   {
     const GlState state;
+    const graph::Node* node = session_.graph().find(item.node);
+    const sdk::InsidePlugin inside(item.override_->owner, doing, (node ? node->name : item.type).c_str());
     try {
       success = action();
     } catch (...) {
@@ -174,7 +178,7 @@ void DrawDriver::release(Item& item, void*& resources) {
   if (!resources) return;
   const PlinianDraw& draw = item.override_->table;
   if (draw.release)
-    guarded_by_state(item, "release", [&] {
+    guarded_by_state(item, "release", "releasing what is drawn of", [&] {
       draw.release(draw.user, &gl_, resources);
       return failure_.empty();
     });
@@ -208,7 +212,7 @@ bool DrawDriver::upload_slice(Item& item) {
   int done = 1;
   if (draw.upload) {
     ++counters_.slices;
-    const bool success = guarded_by_state(item, "upload", [&] {
+    const bool success = guarded_by_state(item, "upload", "uploading what is drawn of", [&] {
       done = draw.upload(draw.user, &gl_, item.next->object.get(), &item.next_resources);
       return done >= 0;
     });
@@ -283,7 +287,7 @@ void DrawDriver::draw(const DrawView& view, const Place& place) {
     const PlinianDrawContext context = context_for(*item, view, *world_from_object);
     const PlinianDraw& draw = item->override_->table;
     ++counters_.draws;
-    item->failed = !guarded_by_state(*item, "draw", [&] {
+    item->failed = !guarded_by_state(*item, "draw", "drawing", [&] {
       return draw.draw(draw.user, &context, item->shown->object.get(), item->resources) != 0;
     });
   }
@@ -298,6 +302,8 @@ std::optional<DrawDriver::Hit> DrawDriver::hit(const DrawView& view, const Place
     if (!world_from_object) continue;
     const PlinianDrawContext context = context_for(*item, view, *world_from_object);
     double distance = 0.0;
+    const sdk::InsidePlugin inside(item->override_->owner, "asked what is hit of",
+                                   session_.graph().find(node)->name.c_str());
     if (draw.hit(draw.user, &context, item->shown->object.get(), pixel.x, pixel.y, &distance) &&
         (!nearest || distance < nearest->distance))
       nearest = Hit{node, distance};

@@ -82,7 +82,7 @@ class DrawDriver : private sdk::DrawOverrideListener {
   void release(Item& item, void*& resources);
   void drop(Item& item);
   void report(const Item& item, const std::string& what);
-  bool guarded_by_state(Item& item, const char* what, const std::function<bool()>& action);
+  bool guarded_by_state(Item& item, const char* what, const char* doing, const std::function<bool()>& action);
   PlinianDrawContext context_for(const Item& item, const DrawView& view,
                                  const dmat4& world_from_object) const;
 

@@ -3,6 +3,7 @@
 
 #include "host/graph/commands/session.h"
 #include "host/graph/graph_error.h"
+#include "host/sdk/inside_plugin.h"
 #include "host/sdk/plain_text.h"
 
 namespace plinian::sdk {
@@ -68,7 +69,7 @@ graph::CommandResult called(graph::Session& session, const graph::Arguments& arg
 
 }  // namespace
 
-graph::CommandSpec command_from(const PlinianCommand* plain) {
+graph::CommandSpec command_from(const PlinianCommand* plain, const std::shared_ptr<DataCount>& data) {
   const PlinianCommand from = whole(plain);
   graph::CommandSpec spec;
   spec.name = text_of(from.name);
@@ -83,13 +84,15 @@ graph::CommandSpec command_from(const PlinianCommand* plain) {
     spec.flags.push_back(
         {text_of(a.name), text_of(a.help), kind.empty() ? std::nullopt : std::optional(kind_from(kind))});
   }
-  spec.run = [run = from.run, user = from.user](graph::Session& session, const graph::Arguments& arguments) {
+  spec.run = [run = from.run, user = from.user, data, name = spec.name](graph::Session& session,
+                                                                        const graph::Arguments& arguments) {
+    const InsidePlugin inside(data->owner, "running the command", name.c_str());
     return called(session, arguments, [&](PlinianCall* call) { run(user, &command_table, call); });
   };
   return spec;
 }
 
-graph::FileType file_type_from(const PlinianFileType* plain) {
+graph::FileType file_type_from(const PlinianFileType* plain, const std::shared_ptr<DataCount>& data) {
   const PlinianFileType from = whole(plain);
   graph::FileType type;
   type.name = text_of(from.name);
@@ -98,15 +101,16 @@ graph::FileType file_type_from(const PlinianFileType* plain) {
   if (type.name.empty()) throw GraphError("a file type needs a name");
   if (!from.import_file && !from.export_file)
     throw GraphError("the file type '" + type.name + "' is neither read nor written");
-  const auto bound = [user = from.user](auto function) {
+  const auto bound = [user = from.user, data](auto function, const char* doing) {
     return [=](graph::Session& session, const graph::Arguments& arguments) {
       const std::string path = arguments.text("file");
+      const InsidePlugin inside(data->owner, doing, path.c_str());
       return called(session, arguments,
                     [&](PlinianCall* call) { function(user, &command_table, call, path.c_str()); });
     };
   };
-  if (from.import_file) type.import_file = bound(from.import_file);
-  if (from.export_file) type.export_file = bound(from.export_file);
+  if (from.import_file) type.import_file = bound(from.import_file, "importing");
+  if (from.export_file) type.export_file = bound(from.export_file, "exporting");
   return type;
 }
 

@@ -4,6 +4,7 @@
 #include "host/graph/graph_error.h"
 #include "host/graph/types/attribute_spec.h"
 #include "host/graph/values/words.h"
+#include "host/sdk/inside_plugin.h"
 #include "host/sdk/plain_text.h"
 
 namespace plinian::sdk {
@@ -40,6 +41,7 @@ graph::DataPtr data_from(const PlinianData* plain, const std::shared_ptr<DataCou
   const PlinianData from = whole(plain);
   ++count->objects;
   const auto release = [free = from.release, count](const void* object) {
+    const InsidePlugin inside(count->owner, "releasing data");
     if (free) free(object);
     --count->objects;
   };
@@ -56,13 +58,15 @@ graph::DataType data_type_from(const PlinianDataType* plain, const std::shared_p
     throw GraphError(graph::shown(type.name) + " cannot name a data type");
   if (!from.serialise || !from.deserialise)
     throw GraphError("the data type '" + type.name + "' needs functions to write and to read it");
-  type.serialise = [from, count](const void* object) {
+  type.serialise = [from, count, name = type.name](const void* object) {
+    const InsidePlugin inside(count->owner, "writing data of the type", name.c_str());
     SerialState state{count, "", "", nullptr};
     from.serialise(from.user, object, &serial_table, reinterpret_cast<PlinianSink*>(&state));
     if (!state.failure.empty()) throw GraphError(state.failure);
     return std::move(state.bytes);
   };
-  type.deserialise = [from, count](std::string_view bytes) {
+  type.deserialise = [from, count, name = type.name](std::string_view bytes) {
+    const InsidePlugin inside(count->owner, "reading data of the type", name.c_str());
     SerialState state{count, "", "", nullptr};
     from.deserialise(from.user, bytes.data(), bytes.size(), &serial_table,
                      reinterpret_cast<PlinianSink*>(&state));

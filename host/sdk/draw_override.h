@@ -16,6 +16,7 @@ inline constexpr const char* draw_data_output = "drawData";
 struct DrawOverride {
   std::string node_type;
   PlinianDraw table{};  // its text is not kept
+  std::string owner;    // "the plug-in 'wobble'"
 };
 using DrawOverridePtr = std::shared_ptr<const DrawOverride>;
 

@@ -9,6 +9,7 @@
 #include "host/sdk/contribution.h"
 #include "host/sdk/data_type_table.h"
 #include "host/sdk/draw_override.h"
+#include "host/sdk/inside_plugin.h"
 #include "host/sdk/plain_text.h"
 
 namespace plinian::sdk {
@@ -22,6 +23,15 @@ graph::AttributeIndex count(const std::vector<AttributeSpec>& attributes) {
   graph::AttributeIndex result = 0;
   for (const AttributeSpec& attribute : attributes) result += 1 + count(attribute.children);
   return result;
+}
+
+// As a schema numbers them.
+void add_paths(const std::vector<AttributeSpec>& attributes, const std::string& prefix,
+               std::vector<std::string>& paths) {
+  for (const AttributeSpec& attribute : attributes) {
+    paths.push_back(prefix + attribute.name);
+    add_paths(attribute.children, paths.back() + ".", paths);
+  }
 }
 
 // Returns its place in the schema.
@@ -94,8 +104,12 @@ void add_hidden_outputs(graph::NodeTypeSpec& spec, const PlinianNodeType& from,
     spec.hierarchical = true;
   }
   if (!from.compute && !from.contribute && !from.draw) return;
+  const auto paths = std::make_shared<std::vector<std::string>>();
+  add_paths(spec.attributes, "", *paths);
   spec.compute = [=, compute = from.compute, contribute = from.contribute, user = from.user](
                      graph::ComputeContext& context, graph::AttributeIndex wanted) {
+    const InsidePlugin inside(data->owner, "computing", context.node_name().c_str(),
+                              (*paths)[std::size_t(wanted)].c_str());
     ComputeState state(context, data);
     if (wanted == contribution) return context.set_output(wanted, contribution_by(contribute, user, state));
     if (wanted == drawn) return context.set_output(wanted, draw_data_by(draw, state));

@@ -5,6 +5,7 @@
 #include "host/graph/graph_error.h"
 #include "host/graph/values/value_text.h"
 #include "host/sdk/hidden_outputs.h"
+#include "host/sdk/inside_plugin.h"
 #include "host/sdk/plain_text.h"
 
 namespace plinian::sdk {
@@ -116,7 +117,9 @@ graph::NodeTypeSpec node_type_from(const PlinianNodeType* plain, const std::shar
   if (from.migrate)
     for (int version = 1; version < spec.version; ++version)
       spec.migrators.push_back(
-          {version, [migrate = from.migrate, user = from.user, version](graph::StoredAttributes& attributes) {
+          {version, [migrate = from.migrate, user = from.user, version, data,
+                     name = spec.name](graph::StoredAttributes& attributes) {
+             const InsidePlugin inside(data->owner, "migrating nodes of the type", name.c_str());
              MigrationState state{attributes, ""};
              migrate(user, version, &migrate_table, reinterpret_cast<PlinianMigration*>(&state));
            }});

@@ -10,11 +10,22 @@
 #include "host/graph/files/scene_writer.h"
 #include "host/graph/files/unknown_nodes.h"
 #include "host/graph/graph_error.h"
+#include "host/sdk/inside_plugin.h"
+#include "host/sdk/load_marker.h"
 
 namespace plinian::sdk {
 
 namespace fs = std::filesystem;
 using graph::GraphError;
+
+namespace {
+
+std::string skipped_text(const std::string& path) {
+  return path + ": did not come back when it was loaded last, and is skipped; 'loadPlugin " + path +
+         "' tries it again";
+}
+
+}  // namespace
 
 struct PluginManager::Library {
   explicit Library(EventHub& events) : registrar(&events) {}
@@ -86,8 +97,10 @@ std::string PluginManager::load(const std::string& name_or_path) {
     return GraphError(library->path + ": " + why);
   };
   library->description = read_description(library->path);
+  if (name_or_path.find('/') == name_or_path.npos && LoadMarker::is_left(library->path))
+    throw GraphError(skipped_text(library->path));
   const PluginDescription& description = library->description;
-  library->registrar.name = "the plug-in '" + description.name + "'";
+  library->registrar.set_name("the plug-in '" + description.name + "'");
   if (const std::string problem = abi_problem(description); !problem.empty()) throw refuse(problem);
   if (const auto loaded = libraries_.find(description.name); loaded != libraries_.end()) {
     if (revive(*loaded->second)) return description.name;
@@ -107,7 +120,11 @@ std::string PluginManager::load(const std::string& name_or_path) {
   } else {
     written_[library->path] = written;
   }
-  library->handle = ::dlopen(fs::absolute(library->path).c_str(), RTLD_NOW | RTLD_LOCAL);
+  const LoadMarker marker(library->path);
+  {
+    const InsidePlugin inside(library->registrar.name(), "being loaded");
+    library->handle = ::dlopen(fs::absolute(library->path).c_str(), RTLD_NOW | RTLD_LOCAL);
+  }
   if (!library->handle) {
     const char* why = ::dlerror();
     throw refuse(std::string("cannot be loaded: ") + (why ? why : "no reason is given"));
@@ -139,7 +156,7 @@ std::string PluginManager::add_linked(const PlinianLinkedPlugin& plugin) {
   library->path = "part of the program";
   if (libraries_.contains(library->description.name))
     throw GraphError("the plug-in '" + library->description.name + "' is loaded already");
-  library->registrar.name = "the plug-in '" + library->description.name + "'";
+  library->registrar.set_name("the plug-in '" + library->description.name + "'");
   library->uninitialise = plugin.uninitialise;
   start(*library, plugin.initialise);
   return adopt(std::move(library));
@@ -152,6 +169,7 @@ void PluginManager::start(Library& library, int (*initialise)(const PlinianHost*
   };
   bool success = false;
   try {
+    const InsidePlugin inside(library.registrar.name(), "being initialised");
     success = initialise(&library.registrar.host()) != 0;
   } catch (...) {
     throw refuse("failed to initialise: it threw an exception");  // one that does not use plugin.h
@@ -160,7 +178,7 @@ void PluginManager::start(Library& library, int (*initialise)(const PlinianHost*
     withdraw(library);
     library.types.clear();
     library.registrar.subscriptions.clear();
-    library.uninitialise(&library.registrar.host());
+    uninitialise(library);
     throw refuse(why);
   };
   if (!success || !library.registrar.error.empty())
@@ -172,6 +190,11 @@ void PluginManager::start(Library& library, int (*initialise)(const PlinianHost*
     back_out(error.what());
   }
   library.registrar.clear();
+}
+
+void PluginManager::uninitialise(Library& library) {
+  const InsidePlugin inside(library.registrar.name(), "being uninitialised");
+  library.uninitialise(&library.registrar.host());
 }
 
 // Puts what a plug-in registers where it belongs. Throws GraphError halfway.
@@ -317,7 +340,7 @@ void PluginManager::remove(Library& library) {
   session_.evaluator().forget();
   session_.graph().snapshot();  // in the place of the last one, which holds nodes as they were
   library.types.clear();
-  library.uninitialise(&library.registrar.host());
+  uninitialise(library);
   // Somebody, a picture on the screen for instance, may still hold data that the library must release: then
   // it stays.
   if (library.handle && library.registrar.data->objects == 0) ::dlclose(library.handle);
@@ -333,6 +356,12 @@ const std::vector<HandleSpec>& PluginManager::handles(const std::string& node_ty
 DrawOverridePtr PluginManager::draw_override(const std::string& node_type) const {
   const auto found = draw_overrides_.find(node_type);
   return found == draw_overrides_.end() ? nullptr : found->second;
+}
+
+std::vector<std::string> PluginManager::skipped() {
+  std::vector<std::string> lines;
+  for (const std::string& library : LoadMarker::left()) lines.push_back(skipped_text(library));
+  return lines;
 }
 
 std::vector<PluginManager::Loaded> PluginManager::plugins() const {

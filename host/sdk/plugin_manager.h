@@ -53,6 +53,9 @@ class PluginManager {
     std::string path;  // or "part of the program"
   };
   std::vector<Loaded> plugins() const;
+  /// A line for each library that took a program with it when it was loaded last: by its name it is not
+  /// loaded any more, by its path it is tried again.
+  static std::vector<std::string> skipped();
   /// Entries of menus that plug-ins bring, in the order of registration.
   const std::vector<MenuItem>& menu() const { return menu_; }
   /// The draw override of a node type, or null.
@@ -73,6 +76,7 @@ class PluginManager {
   std::string adopt(std::unique_ptr<Library> library);
   void enter(Library& library);
   void withdraw(const Library& library);
+  void uninitialise(Library& library);
   void remove(Library& library);
   bool revive(const Library& library);
   void warn_of_forgotten(std::size_t steps, const std::string& why);

@@ -3,6 +3,7 @@
 
 #include "host/graph/graph_error.h"
 #include "host/sdk/data_type_table.h"
+#include "host/sdk/inside_plugin.h"
 #include "host/sdk/node_type_table.h"
 #include "host/sdk/plain_text.h"
 
@@ -38,7 +39,7 @@ PluginRegistrar::PluginRegistrar(EventHub* events) : events_(events) {
     return registered(self, [&](PluginRegistrar& r) {
       r.node_types.push_back(node_type_from(type, r.data));
       const PlinianNodeType from = whole(type);
-      if (from.draw) r.draw_overrides.push_back({text_of(from.name), whole(from.draw)});
+      if (from.draw) r.draw_overrides.push_back({text_of(from.name), whole(from.draw), r.name()});
       for (const PlinianHandle& handle : all_of(from.handles, from.handle_count)) try {
           r.handles[text_of(from.name)].push_back(handle_from(handle, r.node_types.back().attributes));
         } catch (const graph::GraphError& error) {
@@ -47,7 +48,7 @@ PluginRegistrar::PluginRegistrar(EventHub* events) : events_(events) {
     });
   };
   host_.register_command = [](void* self, const PlinianCommand* command) {
-    return registered(self, [&](PluginRegistrar& r) { r.commands.push_back(command_from(command)); });
+    return registered(self, [&](PluginRegistrar& r) { r.commands.push_back(command_from(command, r.data)); });
   };
   host_.fail = [](void* self, const char* message) {
     PluginRegistrar& registrar = registrar_of(self);
@@ -59,7 +60,8 @@ PluginRegistrar::PluginRegistrar(EventHub* events) : events_(events) {
                       [&](PluginRegistrar& r) { r.data_types.push_back(data_type_from(type, r.data)); });
   };
   host_.register_file_type = [](void* self, const PlinianFileType* type) {
-    return registered(self, [&](PluginRegistrar& r) { r.file_types.push_back(file_type_from(type)); });
+    return registered(self,
+                      [&](PluginRegistrar& r) { r.file_types.push_back(file_type_from(type, r.data)); });
   };
   host_.register_menu_entry = [](void* self, const PlinianMenuEntry* entry) {
     return registered(self, [&](PluginRegistrar& r) { r.menu.push_back(menu_entry_from(entry)); });
@@ -92,8 +94,8 @@ PluginRegistrar::PluginRegistrar(EventHub* events) : events_(events) {
 std::uint64_t PluginRegistrar::subscribe(const char* kind, void* user, PlinianEventCallback callback) {
   if (!events_) throw graph::GraphError("there are no events here");
   if (!callback) throw graph::GraphError("a subscription needs a callback");
-  auto subscription =
-      events_->subscribe(event_of_name(text_of(kind)), name, [this, user, callback](const SceneEvent& event) {
+  auto subscription = events_->subscribe(
+      event_of_name(text_of(kind)), name(), [this, user, callback](const SceneEvent& event) {
         PlinianEvent plain{};
         plain.size = sizeof(plain);
         plain.kind = event_name(event.kind).c_str();
@@ -102,6 +104,7 @@ std::uint64_t PluginRegistrar::subscribe(const char* kind, void* user, PlinianEv
         plain.other = event.other.c_str();
         plain.time = event.time;
         last_error_.clear();
+        const InsidePlugin inside(name(), "hearing of the event", plain.kind);
         if (!callback(user, &plain))
           throw graph::GraphError(last_error_.empty() ? "no reason is given" : last_error_);
       });

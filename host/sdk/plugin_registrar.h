@@ -33,7 +33,10 @@ class PluginRegistrar {
   /// Forgets what was registered, once it is where it belongs. Subscriptions stay.
   void clear();
 
-  std::string name = "the plug-in";  // for what its callbacks have to say
+  /// Whom its callbacks, and a crash in it, speak of: "the plug-in 'wobble'".
+  void set_name(const std::string& name) { data->owner = name; }
+  const std::string& name() const { return data->owner; }
+
   std::vector<graph::NodeTypeSpec> node_types;
   std::vector<graph::CommandSpec> commands;
   std::vector<graph::DataType> data_types;

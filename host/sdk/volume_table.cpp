@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "host/graph/graph_error.h"
+#include "host/sdk/inside_plugin.h"
 #include "host/sdk/plain_text.h"
 
 namespace plinian::sdk {
@@ -73,7 +74,9 @@ BrickVolume made(ComputeState& state, const PlinianVolumeSource& source) {
   const std::int64_t slices = std::int64_t(blocks.y) * blocks.z;
   std::atomic<bool> stopped{false};
   // A row of blocks along x.
+  const InsidePlugin* here = InsidePlugin::current();
   const auto fill_row = [&](std::int64_t row) {
+    const InsidePlugin inside(here);
     for (int x = 0; x < blocks.x; ++x) {
       if (stopped || state.context.cancelled()) return;
       const ivec3 block = first + ivec3(x, int(row % blocks.y), int(row / blocks.y)),

@@ -72,6 +72,7 @@ Studio::Studio(std::function<void()> wake, const std::string& trace_path)
   session().on_progress = [this](double share) { return tell_progress(share); };
   development.view.view = default_view();
   read_hotkeys(hotkeys, console);
+  for (const std::string& line : sdk::PluginManager::skipped()) console.add(LineKind::warning, line);
 }
 
 Studio::~Studio() {

@@ -36,6 +36,7 @@ Ended plinian_program(const std::vector<std::string>& arguments, const RunOption
     if (options.user != 0 && (setgid(options.user) != 0 || setuid(options.user) != 0)) _exit(126);
     if (chdir(options.folder.c_str()) != 0) _exit(126);
     setenv("XDG_CONFIG_HOME", "/nonexistent", 1);
+    setenv("XDG_STATE_HOME", "/nonexistent", 1);
     unsetenv("DISPLAY");  // no window opens because somebody has one
     unsetenv("WAYLAND_DISPLAY");
     for (const auto& [name, value] : options.environment) setenv(name.c_str(), value.c_str(), 1);
