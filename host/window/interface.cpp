@@ -11,8 +11,11 @@
 
 #include "core/files/atomic_file.h"
 #include "core/scene/resources.h"
+#include "host/window/hotkeys/actions.h"
 #include "host/window/panels/menu.h"
 #include "host/window/panels/popups.h"
+#include "host/window/panels/status_line.h"
+#include "host/window/panels/view_strip.h"
 #include "host/window/platform/theme.h"
 
 namespace plinian::window {
@@ -31,11 +34,11 @@ fs::path panes_file() {
 Interface::Interface(MainWindow& window, Studio& studio) : window_(window), studio_(studio) {
   if (std::ifstream file(panes_file()); file)
     sizes_ = read_pane_sizes({std::istreambuf_iterator<char>(file), {}});
-  studio_.draw_meanwhile = [this] { draw_meanwhile(); };
+  studio_.commands.draw_meanwhile = [this] { draw_meanwhile(); };
 }
 
 Interface::~Interface() {
-  studio_.draw_meanwhile = nullptr;
+  studio_.commands.draw_meanwhile = nullptr;
   const fs::path path = panes_file();
   if (path.empty()) return;
   std::error_code ignored;
@@ -45,7 +48,7 @@ Interface::~Interface() {
 
 // How long nothing need be done where nobody does anything. [s]
 double Interface::patience() const {
-  if (studio_.has_work()) return 0.0;
+  if (studio_.commands.has_work()) return 0.0;
   if (redraws_ > 0) return std::max(0.0, earliness());
   if (studio_.is_hand_on() || studio_.feed.is_computing() || timeline_.is_playing()) return 0.015;
   return studio_.renderer.status().is_busy ? 0.1 : 1.0;
@@ -85,7 +88,7 @@ void Interface::turn() {
   if (was_computing != studio_.feed.is_computing() || was_hand_on != studio_.is_hand_on() || most > 0.05)
     redraws_ = std::max(redraws_, 1);
   timeline_.play(studio_);
-  studio_.autosave_if_due();
+  studio_.files.autosave_if_due(studio_.is_hand_on());
   studio_.update_picture();
   const bool due = earliness() <= 0.0 || window_.take_urgent();
   if (due && (redraws_ > 0 || studio_.renderer.status().is_busy)) {
@@ -93,8 +96,8 @@ void Interface::turn() {
     --redraws_;
     still_ = false;
   }
-  if (studio_.has_work()) {
-    studio_.work_off();
+  if (studio_.commands.has_work()) {
+    studio_.commands.work_off();
     redraws_ = 2;
   }
   if (!still_ && patience() >= 1.0) {
@@ -108,7 +111,7 @@ void Interface::draw_meanwhile() {
   window_.wait(0.0);
   note_work(true);
   for (const Chord& chord : window_.take_keys())
-    if (studio_.hotkeys.action(chord) == Action::cancel) studio_.act(Action::cancel);
+    if (studio_.hotkeys.action(chord) == Action::cancel) window::act(studio_, Action::cancel);
   studio_.update_picture();
   draw();
 }
@@ -124,9 +127,9 @@ void Interface::take_input() {
     studio_.trace.note(typing ? "keys to a field" : "keys to the window");
   }
   studio_.light_key_held = window_.is_held('L');
-  for (const std::string& path : window_.take_dropped()) studio_.open(path);
+  for (const std::string& path : window_.take_dropped()) studio_.files.open(path);
   if (window_.take_close_request() || std::exchange(studio_.wants_quit, false))
-    studio_.unless_unsaved([this] { studio_.quit = true; });
+    studio_.files.unless_unsaved([this] { studio_.quit = true; });
 }
 
 // Where the mouse is seen, and which buttons are down (1 left, 2 right, 4 middle).
@@ -143,7 +146,7 @@ void Interface::draw() {
   const auto begin = std::chrono::steady_clock::now();
   window_.begin_frame();
   note_mouse();
-  ImGui::BeginDisabled(!studio_.job.what.empty());
+  ImGui::BeginDisabled(!studio_.commands.job.what.empty());
   show_panels();
   ImGui::EndDisabled();
   show_job(studio_);
@@ -162,7 +165,7 @@ void Interface::act(Action action) {
     case Action::previous_frame:
       return timeline_.step(studio_, -1.0);
     default:
-      return studio_.act(action);
+      return window::act(studio_, action);
   }
 }
 
@@ -205,7 +208,7 @@ void Interface::show_dialogs() {
   if (std::exchange(studio_.ask_save_as, false))
     save_dialog_.open("Save as", folder, path.empty() ? "scene.plinian" : fs::path(path).filename().string(),
                       {".plinian"}, true);
-  if (const auto chosen = open_dialog_.show()) studio_.open(*chosen);
+  if (const auto chosen = open_dialog_.show()) studio_.files.open(*chosen);
   if (const auto chosen = save_dialog_.show()) studio_.run("save " + graph::quote(*chosen));
   show_unsaved_question(studio_);
   show_recovery(studio_);

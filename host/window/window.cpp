@@ -13,8 +13,8 @@ void run_window(const WindowOptions& options) {
   MainWindow window("Plinian", options.size);
   Studio studio(MainWindow::wake, options.trace);
   Interface interface(window, studio);
-  studio.autosave_seconds = options.autosave_seconds;
-  if (!options.input.empty()) studio.begin_with(options.input);
+  studio.files.autosave_seconds = options.autosave_seconds;
+  if (!options.input.empty()) studio.files.begin_with(options.input);
   while (!studio.quit) interface.turn();
 }
 

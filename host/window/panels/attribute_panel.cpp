@@ -36,8 +36,8 @@ void send(Studio& studio, const Plug& plug, const std::string& words, const std:
 
 // Several nodes that are edited by one confirmation are one step of undo, too.
 void send_once(Studio& studio, const Plug& plug, const std::string& words) {
-  send(studio, plug, words, studio.new_merge_key("set"));
-  studio.end_drag();
+  send(studio, plug, words, studio.commands.new_merge_key("set"));
+  studio.commands.end_drag();
 }
 
 std::string short_unit(const std::string& unit) {
@@ -134,9 +134,9 @@ void AttributePanel::show_row(Studio& studio, const AttributeRow& row) {
   if (row.changed) {  // a mark that puts it back
     ImGui::SetCursorScreenPos({begin.x + whole - mark, begin.y});
     if (ImGui::InvisibleButton("reset", {mark, ImGui::GetFrameHeight()})) {
-      const std::string key = studio.new_merge_key("reset");
+      const std::string key = studio.commands.new_merge_key("reset");
       for (const std::string& line : reset_lines(graph, row.plug)) studio.run(line, key);
-      studio.end_drag();
+      studio.commands.end_drag();
     }
     const bool hot = ImGui::IsItemHovered();
     help("Not at its default; click to put it back.");
@@ -218,10 +218,10 @@ void AttributePanel::show_numbers(Studio& studio, const AttributeRow& row, float
     const FieldEdit edit = number_field(("##" + std::to_string(i)).c_str(), value, range_of(spec), look);
     studio.trace.item(graph.name_of(part), vec2(ImGui::GetItemRectMin().x, ImGui::GetItemRectMin().y),
                       vec2(ImGui::GetItemRectSize().x, ImGui::GetItemRectSize().y));
-    if (edit.begun) merge_key_ = studio.new_merge_key("drag");
+    if (edit.begun) merge_key_ = studio.commands.new_merge_key("drag");
     if (edit.dragged) send(studio, part, graph::write_number(*edit.dragged), merge_key_);
     if (edit.begun || edit.dragged) studio.keep_hand_on();
-    if (edit.ended) studio.end_drag();
+    if (edit.ended) studio.commands.end_drag();
     if (edit.typed) {
       const std::optional<double> number = typed_number(*edit.typed, value);
       if (!number || *number != value)
@@ -248,7 +248,7 @@ void AttributePanel::show_colour(Studio& studio, const AttributeRow& row) {
                          {side, side}) &&
       row.driver.empty() && !row.locked) {
     ImGui::OpenPopup("picker");
-    merge_key_ = studio.new_merge_key("colour");
+    merge_key_ = studio.commands.new_merge_key("colour");
   }
   if (!ImGui::BeginPopup("picker")) return;
   ImGui::SetNextItemWidth(scaled(220));
@@ -263,8 +263,8 @@ void AttributePanel::show_colour(Studio& studio, const AttributeRow& row) {
     studio.keep_hand_on();
   }
   if (ImGui::IsItemDeactivated()) {
-    studio.end_drag();
-    merge_key_ = studio.new_merge_key("colour");
+    studio.commands.end_drag();
+    merge_key_ = studio.commands.new_merge_key("colour");
   }
   ImGui::EndPopup();
 }

@@ -107,7 +107,7 @@ void ConsolePanel::show(Studio& studio, const PaneRect& pane) {
   if (entered && line_[0] != 0) {
     if (typed_.empty() || typed_.back() != line_) typed_.push_back(line_);
     recalled_ = typed_.size();
-    studio.run(line_, "", true);
+    studio.commands.run(line_, "", true);
     line_[0] = 0;
     studio.focus_console = true;
   }

@@ -66,11 +66,11 @@ void LightPanel::show_light(Studio& studio, const graph::Node& node) {
   const double value = number_at(graph, plug);
   const FieldEdit edit = number_field("##exposure", value, range_of(graph.attribute(plug).spec), look);
   trace("exposure");
-  if (edit.begun) merge_key_ = studio.new_merge_key("drag");
+  if (edit.begun) merge_key_ = studio.commands.new_merge_key("drag");
   if (edit.dragged)
     studio.run("setAttr " + node.name + ".exposure " + graph::write_number(*edit.dragged), merge_key_);
   if (edit.begun || edit.dragged) studio.keep_hand_on();
-  if (edit.ended) studio.end_drag();
+  if (edit.ended) studio.commands.end_drag();
   if (edit.typed)
     if (const auto number = typed_number(*edit.typed, value))
       studio.run("setAttr " + node.name + ".exposure " + graph::write_number(*number));

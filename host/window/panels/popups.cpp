@@ -24,7 +24,7 @@ constexpr ImGuiWindowFlags plain =
 
 void show_unsaved_question(Studio& studio) {
   const char* title = "Unsaved changes";
-  if (!studio.after_unsaved) return;
+  if (!studio.files.after_unsaved) return;
   if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   at_the_middle();
   if (!ImGui::BeginPopupModal(title, nullptr, plain)) return;
@@ -42,23 +42,23 @@ void show_unsaved_question(Studio& studio) {
   if (ImGui::Button("Save", size)) {
     if (path.empty()) {  // a name first; then it may be asked for again
       studio.ask_save_as = true;
-      studio.after_unsaved = nullptr;
+      studio.files.after_unsaved = nullptr;
     } else {
       studio.run("save");
-      studio.later(std::exchange(studio.after_unsaved, nullptr));
+      studio.commands.later(std::exchange(studio.files.after_unsaved, nullptr));
     }
     ImGui::CloseCurrentPopup();
   }
   trace("unsaved save");
   ImGui::SameLine();
   if (ImGui::Button("Discard", size)) {
-    studio.later(std::exchange(studio.after_unsaved, nullptr));
+    studio.commands.later(std::exchange(studio.files.after_unsaved, nullptr));
     ImGui::CloseCurrentPopup();
   }
   trace("unsaved discard");
   ImGui::SameLine();
   if (ImGui::Button("Cancel", size) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
-    studio.after_unsaved = nullptr;
+    studio.files.after_unsaved = nullptr;
     ImGui::CloseCurrentPopup();
   }
   trace("unsaved cancel");
@@ -67,12 +67,12 @@ void show_unsaved_question(Studio& studio) {
 
 void show_recovery(Studio& studio) {
   const char* title = "Not saved";
-  if (studio.left_behind.empty()) return;
+  if (studio.files.left_behind.empty()) return;
   if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   at_the_middle();
   if (!ImGui::BeginPopupModal(title, nullptr, plain)) return;
   const bool appears = ImGui::IsWindowAppearing();
-  const Autosave::Left left = studio.left_behind.front();
+  const Autosave::Left left = studio.files.left_behind.front();
   ImGui::Text(
       "%s was being edited when the program ended without saving.",
       left.scene_path.empty() ? "A new scene" : std::filesystem::path(left.scene_path).filename().c_str());
@@ -87,13 +87,13 @@ void show_recovery(Studio& studio) {
   };
   bool answered = true;
   if (button("Recover", "recovery recover")) {
-    studio.recover(left);
-    studio.left_behind.clear();  // the others are asked about next time
+    studio.files.recover(left);
+    studio.files.left_behind.clear();  // the others are asked about next time
   } else if (button("Discard", "recovery discard")) {
     Autosave::discard(left);
-    studio.left_behind.erase(studio.left_behind.begin());
+    studio.files.left_behind.erase(studio.files.left_behind.begin());
   } else if (button("Later", "recovery later")) {
-    studio.left_behind.clear();
+    studio.files.left_behind.clear();
   } else {
     answered = false;
   }
@@ -133,12 +133,12 @@ void show_hotkey_list(Studio& studio) {
 }
 
 void show_job(Studio& studio) {
-  if (studio.job.what.empty()) return;
+  if (studio.commands.job.what.empty()) return;
   at_the_middle();
   ImGui::Begin("##job", nullptr, plain | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoFocusOnAppearing);
-  ImGui::TextUnformatted(studio.job.what.c_str());
+  ImGui::TextUnformatted(studio.commands.job.what.c_str());
   ImGui::PushStyleColor(ImGuiCol_PlotHistogram, colour::accent);
-  ImGui::ProgressBar(float(studio.job.share), {scaled(260), scaled(6)}, "");
+  ImGui::ProgressBar(float(studio.commands.job.share), {scaled(260), scaled(6)}, "");
   ImGui::PopStyleColor();
   ImGui::TextDisabled("Esc cancels");
   ImGui::End();

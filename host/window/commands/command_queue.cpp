@@ -1,0 +1,67 @@
+// Runs what was asked for, and tells the console.
+#include "host/window/commands/command_queue.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace plinian::window {
+
+CommandQueue::CommandQueue(graph::Session& session, ConsoleLog& console, Trace& trace)
+    : session_(session), console_(console), trace_(trace) {
+  session_.on_echo = [this](const std::string& line) {
+    if (!muted) console_.echo(line, merge_key_);
+  };
+  session_.on_warning = [this](const std::string& line) { console_.add(LineKind::warning, line); };
+  session_.on_note = [this](const std::string& line) { console_.add(LineKind::note, line); };
+  session_.on_progress = [this](double share) { return tell_progress(share); };
+}
+
+CommandQueue::~CommandQueue() {
+  session_.on_echo = session_.on_warning = session_.on_note = nullptr;
+  session_.on_progress = nullptr;
+}
+
+void CommandQueue::run(const std::string& line, const std::string& merge_key, bool typed) {
+  later([=, this] { run_now(line, merge_key, typed); });
+}
+
+void CommandQueue::run_now(const std::string& line, const std::string& merge_key, bool typed) {
+  merge_key_ = merge_key;
+  const double begin = trace_.milliseconds();
+  try {
+    for (const std::string& answer : session_.execute(line, merge_key))
+      if (typed) console_.add(LineKind::answer, answer);
+  } catch (const std::exception& error) {
+    if (typed) console_.add(LineKind::command, line);
+    console_.add(LineKind::error, error.what());
+  }
+  merge_key_.clear();
+  if (trace_.is_on()) trace_.note(fmt::format("ran {} ({:.1f} ms)", line, trace_.milliseconds() - begin));
+}
+
+void CommandQueue::end_drag() {
+  later([this] { session_.history().end_merge(); });
+}
+
+void CommandQueue::work_off() {
+  // What a task asks for comes after what was asked before.
+  std::vector<std::function<void()>> now = std::exchange(tasks_, {});
+  for (const std::function<void()>& task : now) task();
+}
+
+std::string CommandQueue::new_merge_key(const std::string& what) {
+  return fmt::format("{} {}", what, ++drags_);
+}
+
+bool CommandQueue::tell_progress(double share) {
+  job.share = share;
+  const auto now = std::chrono::steady_clock::now();
+  if (draw_meanwhile && now - drawn_meanwhile_ > std::chrono::milliseconds(30)) {
+    draw_meanwhile();
+    drawn_meanwhile_ = std::chrono::steady_clock::now();
+  }
+  return !job.cancelled;
+}
+
+}  // namespace plinian::window

@@ -1,0 +1,150 @@
+// From files to the scene, and from the scene to what is kept aside.
+#include "host/window/files/scene_files.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "core/scene/resources.h"
+#include "core/scene/scene_file.h"
+#include "core/scene/scene_loader.h"
+#include "host/graph/files/scene_writer.h"
+#include "host/scene/import_description.h"
+
+namespace plinian::window {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path autosave_folder() {
+  const fs::path folder = user_state_folder();
+  return folder.empty() ? folder : folder / "unsaved";
+}
+
+bool is_scene(const std::string& path) {
+  return path.ends_with(".plinian");
+}
+
+}  // namespace
+
+SceneFiles::SceneFiles(scene::Workspace& workspace, CommandQueue& commands, Viewpoint& viewpoint,
+                       ConsoleLog& console, Trace& trace)
+    : workspace_(workspace),
+      commands_(commands),
+      viewpoint_(viewpoint),
+      console_(console),
+      trace_(trace),
+      autosave_(autosave_folder()) {
+  left_behind = autosave_.left_behind();
+}
+
+// Everything that a picture needs, made at once: one step of undo.
+void SceneFiles::import_whole(const std::string& input) {
+  commands_.job = {"reading " + fs::path(input).filename().string()};
+  try {
+    const graph::History::Scope scope(session().history(), "import " + input);
+    commands_.muted = true;
+    scene::ImportOptions options;
+    options.progress = [this](double share) { return commands_.tell_progress(share); };
+    const scene::ImportReport report = scene::import_description(session(), describe_input(input), options);
+    for (const std::string& line : report.notes) console_.add(LineKind::note, line);
+    for (const std::string& line : report.warnings) console_.add(LineKind::warning, line);
+  } catch (const SceneLoadCancelled&) {
+    console_.add(LineKind::note, input + ": cancelled");
+  } catch (const std::exception& error) {
+    console_.add(LineKind::error, error.what());
+  }
+  commands_.muted = false;
+  commands_.job = {};
+}
+
+void SceneFiles::begin_with(const std::string& input) {
+  commands_.later([=, this] {
+    if (is_scene(input)) {
+      commands_.run_now("open " + graph::quote(input));
+      return;
+    }
+    import_whole(input);
+    // What one tunes first is there to be tuned.
+    if (const graph::Node* medium = scene::first_of_type(session().graph(), "medium"))
+      session().editor().select({medium->id});
+    // What one begins with is no edit.
+    session().history().clear();
+    session().history().mark_saved();
+  });
+}
+
+void SceneFiles::begin_empty() {
+  unless_unsaved([this] {
+    viewpoint_.look = {};
+    commands_.run_now("newScene -force");
+  });
+}
+
+void SceneFiles::open(const std::string& path) {
+  if (!is_scene(path)) return add(path);
+  unless_unsaved([=, this] {
+    viewpoint_.look = {};
+    viewpoint_.history.clear();
+    commands_.run_now("open -force " + graph::quote(path));
+  });
+}
+
+void SceneFiles::add(const std::string& path) {
+  if (is_scene(path)) return open(path);
+  commands_.later([=, this] {
+    const bool bare = !scene::first_of_type(session().graph(), "camera") &&
+                      !scene::first_of_type(session().graph(), "atfmVolume");
+    if (bare) {
+      viewpoint_.look = {};
+      import_whole(path);
+      return;
+    }
+    commands_.job = {"reading " + fs::path(path).filename().string()};
+    commands_.run_now("import " + graph::quote(path));
+    commands_.job = {};
+    commands_.later([this] { frame_all(); });
+  });
+}
+
+void SceneFiles::autosave_if_due(bool hand_on) {
+  const auto now = std::chrono::steady_clock::now();
+  if (now - autosaved_ < std::chrono::duration<double>(autosave_seconds) || hand_on) return;
+  autosaved_ = now;
+  if (!session().history().is_modified()) return autosave_.forget();
+  if (session().graph().generation() == autosaved_generation_) return;
+  try {
+    autosave_.keep(graph::write_scene(session().graph()), session().scene_path());
+    autosaved_generation_ = session().graph().generation();
+    trace_.note("autosaved");
+  } catch (const std::exception& error) {
+    console_.add(LineKind::warning, error.what());
+  }
+}
+
+void SceneFiles::recover(const Autosave::Left& left) {
+  commands_.later([=, this] {
+    try {
+      viewpoint_.look = {};
+      viewpoint_.history.clear();
+      session().recover_scene(left.file.string(), left.scene_path);
+      autosave_.keep(graph::write_scene(session().graph()), left.scene_path);
+      Autosave::discard(left);
+      console_.add(LineKind::note, left.scene_path.empty()
+                                       ? "recovered what had not been saved"
+                                       : left.scene_path + ": recovered; it is not saved yet");
+      trace_.note("recovered");
+    } catch (const std::exception& error) {
+      console_.add(LineKind::error, error.what());
+    }
+  });
+}
+
+void SceneFiles::unless_unsaved(std::function<void()> task) {
+  if (session().history().is_modified())
+    after_unsaved = std::move(task);
+  else
+    commands_.later(std::move(task));
+}
+
+}  // namespace plinian::window

@@ -1,0 +1,58 @@
+// Opening, adding to, keeping aside and recovering the scene that is open.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "host/scene/workspace.h"
+#include "host/window/commands/command_queue.h"
+#include "host/window/files/autosave.h"
+#include "host/window/navigation/viewpoint.h"
+
+namespace plinian::window {
+
+class SceneFiles {
+ public:
+  SceneFiles(scene::Workspace& workspace, CommandQueue& commands, Viewpoint& viewpoint, ConsoleLog& console,
+             Trace& trace);
+
+  /// Asks about unsaved changes where there are any.
+  void open(const std::string& path);
+  /// Adds a volume or a scene; a scene without media is framed and lit.
+  void add(const std::string& path);
+  /// What the program begins with: a scene, a volume or the name of a procedural medium.
+  void begin_with(const std::string& input);
+  /// An empty scene in place of the one that is open.
+  void begin_empty();
+
+  std::function<void()> after_unsaved;  // what waits for the answer about unsaved changes
+  void unless_unsaved(std::function<void()> task);
+
+  // What is kept for after a crash.
+  double autosave_seconds = 30.0;
+  std::vector<Autosave::Left> left_behind;  // by programs that ended without order; to be asked about
+  /// Keeps unsaved changes aside, where it is time and no hand is in the middle of something.
+  void autosave_if_due(bool hand_on);
+  void recover(const Autosave::Left& left);
+
+  /// Frames everything, once what was added is there; set by the studio.
+  std::function<void()> frame_all;
+
+ private:
+  void import_whole(const std::string& input);
+  graph::Session& session() { return workspace_.session(); }
+
+  scene::Workspace& workspace_;
+  CommandQueue& commands_;
+  Viewpoint& viewpoint_;
+  ConsoleLog& console_;
+  Trace& trace_;
+  Autosave autosave_;
+  std::chrono::steady_clock::time_point autosaved_ = std::chrono::steady_clock::now();
+  std::uint64_t autosaved_generation_ = 0;
+};
+
+}  // namespace plinian::window

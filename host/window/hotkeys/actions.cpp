@@ -1,0 +1,110 @@
+// A command, or a change of how the scene is looked at, for each action.
+#include "host/window/hotkeys/actions.h"
+
+#include "host/window/studio.h"
+
+namespace plinian::window {
+
+namespace {
+
+void keep_picture(Studio& studio) {
+  if (const ViewPicturePtr picture = studio.renderer.picture(); picture && !picture->quick)
+    studio.comparison.keep(picture, "kept");
+  else
+    studio.console.add(LineKind::note, "only a picture that is past its quick pass can be kept");
+}
+
+void key_selection(Studio& studio) {
+  for (const graph::NodeId id : studio.session().graph().selection())
+    if (const graph::Node& node = *studio.session().graph().find(id);
+        node.schema->find("rotate") != graph::no_attribute)
+      studio.run("setKeyframe " + node.name + ".translate " + node.name + ".rotate");
+    else
+      studio.console.add(LineKind::note, node.name + " has no place; 'setKeyframe " + node.name +
+                                             ".ATTRIBUTE' keys what else it has");
+}
+
+}  // namespace
+
+void act(Studio& studio, Action action) {
+  const bool selected = !studio.session().graph().selection().empty();
+  Comparison& comparison = studio.comparison;
+  switch (action) {
+    case Action::undo:
+      return studio.run("undo");
+    case Action::redo:
+      return studio.run("redo");
+    case Action::new_scene:
+      return studio.files.begin_empty();
+    case Action::open_scene:
+      studio.ask_open = true;
+      return;
+    case Action::save_scene:
+      if (studio.session().scene_path().empty())
+        studio.ask_save_as = true;
+      else
+        studio.run("save");
+      return;
+    case Action::save_scene_as:
+      studio.ask_save_as = true;
+      return;
+    case Action::delete_nodes:
+      if (selected) studio.run("delete");
+      return;
+    case Action::duplicate_nodes:
+      if (selected) studio.run("duplicate");
+      return;
+    case Action::frame_selection:
+      return studio.viewpoint.frame(true, studio.picture_size);
+    case Action::frame_all:
+      return studio.viewpoint.frame(false, studio.picture_size);
+    case Action::camera_back:
+      return studio.viewpoint.go_back();
+    case Action::camera_forth:
+      return studio.viewpoint.go_forth();
+    case Action::scene_camera:
+      return studio.viewpoint.look_through_scene_camera();
+    case Action::quality_fast:
+      return studio.run("quality fast");
+    case Action::quality_high:
+      return studio.run("quality high");
+    case Action::original_maps:
+      studio.original_maps = !studio.original_maps;
+      return;
+    case Action::snapshot_picture:
+      return keep_picture(studio);
+    case Action::reference:
+      return studio.render_reference();
+    case Action::wipe:
+      comparison.wipes = comparison.other && !comparison.wipes;
+      studio.development.difference = false;
+      return;
+    case Action::difference:
+      studio.development.difference = comparison.other && !studio.development.difference;
+      comparison.wipes = false;
+      return;
+    case Action::set_key:
+      return key_selection(studio);
+    case Action::toggle_display:
+      studio.show_display = !studio.show_display;
+      return;
+    case Action::toggle_panels:
+      studio.show_panels = !studio.show_panels;
+      return;
+    case Action::console_line:
+      studio.focus_console = true;
+      return;
+    case Action::hotkey_list:
+      studio.show_hotkeys = !studio.show_hotkeys;
+      return;
+    case Action::cancel:
+      studio.commands.job.cancelled = true;
+      comparison.stop_reference();
+      if (studio.commands.job.what.empty()) studio.feed.cancel();
+      return;
+    default:
+      return;
+  }
+}
+
+}  // namespace plinian::window

@@ -1,0 +1,13 @@
+// What actions do.
+#pragma once
+
+#include "host/window/hotkeys/hotkeys.h"
+
+namespace plinian::window {
+
+class Studio;
+
+/// Does what a key stands for; play and the steps of the time are the timeline's.
+void act(Studio& studio, Action action);
+
+}  // namespace plinian::window

@@ -1,0 +1,36 @@
+// Where the scene is looked at from: through a camera of the scene, or through the artist's own. No part of
+// the scene, nor of its undo.
+#pragma once
+
+#include "host/scene/workspace.h"
+#include "host/window/navigation/camera_history.h"
+#include "host/window/view/scene_feed.h"
+
+namespace plinian::window {
+
+class Viewpoint {
+ public:
+  Viewpoint(scene::Workspace& workspace, const SceneFeed& feed) : workspace_(workspace), feed_(feed) {}
+
+  Look look;
+  CameraHistory history;
+
+  /// The camera that is looked through; needs a snapshot.
+  Camera camera() const;
+  /// The free camera, made of what is looked through where there is none yet; needs a snapshot.
+  FreeCamera free_camera() const;
+  /// Looks through `camera` from now on. begins: notes for `[` how it was.
+  void move(const FreeCamera& camera, bool begins);
+  void look_through_scene_camera();
+  /// Shows everything, or what is selected. pane: [pixels] of the picture.
+  void frame(bool selection_only, ivec2 pane);
+  /// The view before or after in the history, where there is one.
+  void go_back();
+  void go_forth();
+
+ private:
+  scene::Workspace& workspace_;
+  const SceneFeed& feed_;
+};
+
+}  // namespace plinian::window

@@ -1,0 +1,58 @@
+// What there is to say now on the left, the picture on the right.
+#include "host/window/panels/status_line.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "host/window/panels/widgets.h"
+#include "host/window/platform/theme.h"
+
+namespace plinian::window {
+
+void show_status(Studio& studio, const PaneRect& pane) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(scaled(10), scaled(2)));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetColorU32(ImGuiCol_MenuBarBg));
+  begin_pane("##status", pane, false);
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+  ImGui::AlignTextToFramePadding();
+  float right = pane.begin.x + pane.size.x;
+  const ViewPicturePtr picture = studio.renderer.picture();
+  if (picture) {
+    const std::string text = fmt::format(
+        "{}   {} x {}   {}", picture->scene.quality.name, picture->frame.width, picture->frame.height,
+        picture->quick     ? "quick"
+        : picture->at_rest ? fmt::format("at rest, {} passes", picture->passes)
+                           : fmt::format("pass {}", picture->passes));
+    const float width = ImGui::CalcTextSize(text.c_str()).x;
+    right -= width + scaled(30);
+    ImGui::SetCursorPosX(pane.size.x - width - scaled(10));
+    ImGui::TextDisabled("%s", text.c_str());
+    ImGui::SameLine(scaled(10));
+  }
+  // What there is to say on the left gives way to what the picture is.
+  ImGui::PushClipRect({pane.begin.x, pane.begin.y}, {right, pane.begin.y + pane.size.y}, true);
+  const auto& lines = studio.console.lines();
+  if (!studio.commands.job.what.empty()) {
+    ImGui::Text("%s  %.0f %%", studio.commands.job.what.c_str(), 100.0 * studio.commands.job.share);
+    ImGui::SameLine();
+    ImGui::TextDisabled("Esc cancels");
+  } else if (studio.feed.is_computing()) {
+    const auto progress = studio.feed.progress();
+    ImGui::Text("computing %s  %.0f %%", progress.what.c_str(), 100.0 * progress.fraction);
+  } else if (!lines.empty() &&
+             (lines.back().kind == LineKind::error || lines.back().kind == LineKind::warning)) {
+    const bool error = lines.back().kind == LineKind::error;
+    ImGui::PushStyleColor(ImGuiCol_Text, error ? colour::error : colour::warning);
+    ImGui::TextUnformatted(lines.back().text.c_str());
+    ImGui::PopStyleColor();
+  } else {
+    ImGui::TextDisabled(
+        "Alt+mouse (or Ctrl+Alt): left tumbles, middle tracks, right or wheel dollies    F frame   "
+        "A all   1 fast   2 high   L+drag turns the key light   F1 hotkeys");
+  }
+  ImGui::PopClipRect();
+  end_pane();
+}
+
+}  // namespace plinian::window

@@ -1,0 +1,18 @@
+// What the viewport says about its picture, written over it.
+#pragma once
+
+#include "host/window/panels/layout.h"
+#include "host/window/studio.h"
+
+namespace plinian::window {
+
+/// Why it is not up to date, what went wrong, and how far the next one is. shown: that is up, or null.
+void show_notes(Studio& studio, const PaneRect& pane, const DevelopedPtr& shown);
+
+/// What the picture that is up cost.
+void show_figures(Studio& studio, const PaneRect& pane);
+
+/// What the picture holds under the pointer, in linear radiance. picture: [points] where it is.
+void show_pixel(const DevelopedPtr& shown, const PaneRect& picture, const PaneRect& pane);
+
+}  // namespace plinian::window
