@@ -49,6 +49,7 @@ typedef struct PlinianHost {
 
 /* What a plug-in exports. The host's table is good until uninitialise returns. */
 #define PLINIAN_EXPORT __attribute__((visibility("default")))
+#define PLINIAN_HIDDEN [[gnu::visibility("hidden")]]
 PLINIAN_EXPORT int plinian_initialise(const PlinianHost* host);
 PLINIAN_EXPORT void plinian_uninitialise(const PlinianHost* host);
 

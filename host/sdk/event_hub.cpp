@@ -138,7 +138,7 @@ void EventHub::ended(bool failed) {
   opening_ = false;
   if (failed && mark_ <= waiting_.size()) waiting_.resize(mark_);
   mark_ = 0;
-  if (delivering_ || session_.history().is_open() || std::this_thread::get_id() != thread_) return;
+  if (!can_deliver()) return;
   graph::History& history = session_.history();
   after_undo_ = history.steps_repeated() != repeats_before_;
   std::optional<graph::History::Aftermath> aftermath;
@@ -148,8 +148,13 @@ void EventHub::ended(bool failed) {
   after_undo_ = false;
 }
 
+// Nothing is under way that will tell later.
+bool EventHub::can_deliver() const {
+  return !delivering_ && !session_.history().is_open() && std::this_thread::get_id() == thread_;
+}
+
 void EventHub::deliver() {
-  if (delivering_ || session_.history().is_open() || std::this_thread::get_id() != thread_) return;
+  if (!can_deliver()) return;
   deliver_rounds();
 }
 

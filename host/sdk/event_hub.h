@@ -91,6 +91,7 @@ class EventHub : private graph::GraphObserver, private graph::SessionListener {
   void passed(graph::SceneMoment moment, const std::string& path) override;
   void begun() override;
   void ended(bool failed) override;
+  bool can_deliver() const;
   void deliver_rounds();
   void note(SceneEvent event);
   void tell(const SceneEvent& event);

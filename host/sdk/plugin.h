@@ -24,101 +24,100 @@
 #include "host/sdk/plugin/node.h"
 
 namespace plinian {
-namespace sdk __attribute__((visibility("hidden"))) {
+namespace PLINIAN_HIDDEN sdk {
 
-  namespace detail {
+namespace detail {
 
-  // What one host was given; it lives until the plug-in is uninitialised there.
-  struct Registered {
-    std::deque<NodeType> types;
-    std::deque<Command> commands;
-    std::deque<DataType> data_types;
-    std::deque<FileType> file_types;
-    std::shared_ptr<const bool> alive = std::make_shared<bool>(true);
-    std::deque<Subscription> subscriptions;
-  };
+// What one host was given; it lives until the plug-in is uninitialised there.
+struct Registered {
+  std::deque<NodeType> types;
+  std::deque<Command> commands;
+  std::deque<DataType> data_types;
+  std::deque<FileType> file_types;
+  std::shared_ptr<const bool> alive = std::make_shared<bool>(true);
+  std::deque<Subscription> subscriptions;
+};
 
-  }  // namespace detail
+}  // namespace detail
 
-  /// Registers what the plug-in brings. Throws Error where the host refuses.
-  class Plugin {
-   public:
-    Plugin(const PlinianHost& host, detail::Registered& registered) : host_(host), registered_(registered) {}
+/// Registers what the plug-in brings. Throws Error where the host refuses.
+class Plugin {
+ public:
+  Plugin(const PlinianHost& host, detail::Registered& registered) : host_(host), registered_(registered) {}
 
-    void add(NodeType type) {
-      registered_.types.push_back(std::move(type));
-      check(detail::register_type(host_, registered_.types.back()));
-    }
-    void add(Command command) {
-      registered_.commands.push_back(std::move(command));
-      check(detail::register_command(host_, registered_.commands.back()));
-    }
-
-    void add(DataType type) {
-      registered_.data_types.push_back(std::move(type));
-      check(detail::register_data_type(host_, registered_.data_types.back()));
-    }
-    void add(FileType type) {
-      registered_.file_types.push_back(std::move(type));
-      check(detail::register_file_type(host_, registered_.file_types.back()));
-    }
-    void add(const MenuEntry& entry) { check(detail::register_menu_entry(host_, entry)); }
-
-    /// Calls back on every event of a kind for as long as the plug-in is loaded. kind: as in PlinianEvent.
-    void on(const std::string& kind, std::function<void(const Event&)> callback) {
-      registered_.subscriptions.push_back(subscribe(kind, std::move(callback)));
-    }
-    /// ... or until the subscription is destroyed.
-    [[nodiscard]] Subscription subscribe(const std::string& kind,
-                                         std::function<void(const Event&)> callback) {
-      return Subscription(host_, registered_.alive, kind, std::move(callback));
-    }
-
-   private:
-    static void check(int success) {
-      if (!success) throw Error("the host refuses it");  // and knows why
-    }
-
-    const PlinianHost& host_;
-    detail::Registered& registered_;
-  };
-
-  namespace detail {
-
-  // By host: several scenes may be open in one program.
-  inline std::map<const PlinianHost*, Registered>& registered() {
-    static std::map<const PlinianHost*, Registered> all;
-    return all;
+  void add(NodeType type) {
+    registered_.types.push_back(std::move(type));
+    check(detail::register_type(host_, registered_.types.back()));
+  }
+  void add(Command command) {
+    registered_.commands.push_back(std::move(command));
+    check(detail::register_command(host_, registered_.commands.back()));
   }
 
-  inline int initialise(const PlinianHost* host, void (*function)(Plugin&)) {
-    int success = 0;
-    guarded(
-        [&] {
-          Plugin plugin(*host, registered()[host]);
-          function(plugin);
-          success = 1;
-        },
-        [&](const char* message) { host->fail(host->self, message); });
-    return success;
+  void add(DataType type) {
+    registered_.data_types.push_back(std::move(type));
+    check(detail::register_data_type(host_, registered_.data_types.back()));
   }
-  inline void uninitialise(const PlinianHost* host) {
-    registered().erase(host);
+  void add(FileType type) {
+    registered_.file_types.push_back(std::move(type));
+    check(detail::register_file_type(host_, registered_.file_types.back()));
+  }
+  void add(const MenuEntry& entry) { check(detail::register_menu_entry(host_, entry)); }
+
+  /// Calls back on every event of a kind for as long as the plug-in is loaded. kind: as in PlinianEvent.
+  void on(const std::string& kind, std::function<void(const Event&)> callback) {
+    registered_.subscriptions.push_back(subscribe(kind, std::move(callback)));
+  }
+  /// ... or until the subscription is destroyed.
+  [[nodiscard]] Subscription subscribe(const std::string& kind, std::function<void(const Event&)> callback) {
+    return Subscription(host_, registered_.alive, kind, std::move(callback));
   }
 
-  // An ELF note: name, description, type, as the System V ABI lays them out.
-  template <std::size_t N>
-  struct Note {
-    std::uint32_t name_size = 8, text_size = N, type = 1;
-    char name[8] = {'P', 'l', 'i', 'n', 'i', 'a', 'n', 0};
-    char text[(N + 3) / 4 * 4] = {};
-    constexpr explicit Note(const char (&source)[N]) {
-      for (std::size_t i = 0; i < N; ++i) text[i] = source[i];
-    }
-  };
+ private:
+  static void check(int success) {
+    if (!success) throw Error("the host refuses it");  // and knows why
+  }
 
-  }  // namespace detail
-}  // namespace )
+  const PlinianHost& host_;
+  detail::Registered& registered_;
+};
+
+namespace detail {
+
+// By host: several scenes may be open in one program.
+inline std::map<const PlinianHost*, Registered>& registered() {
+  static std::map<const PlinianHost*, Registered> all;
+  return all;
+}
+
+inline int initialise(const PlinianHost* host, void (*function)(Plugin&)) {
+  int success = 0;
+  guarded(
+      [&] {
+        Plugin plugin(*host, registered()[host]);
+        function(plugin);
+        success = 1;
+      },
+      [&](const char* message) { host->fail(host->self, message); });
+  return success;
+}
+inline void uninitialise(const PlinianHost* host) {
+  registered().erase(host);
+}
+
+// An ELF note: name, description, type, as the System V ABI lays them out.
+template <std::size_t N>
+struct Note {
+  std::uint32_t name_size = 8, text_size = N, type = 1;
+  char name[8] = {'P', 'l', 'i', 'n', 'i', 'a', 'n', 0};
+  char text[(N + 3) / 4 * 4] = {};
+  constexpr explicit Note(const char (&source)[N]) {
+    for (std::size_t i = 0; i < N; ++i) text[i] = source[i];
+  }
+};
+
+}  // namespace detail
+}  // namespace sdk
 }  // namespace plinian
 
 #define PLINIAN_STRING_(x) #x

@@ -8,37 +8,39 @@
 #include <stdexcept>
 #include <string>
 
+#include "host/sdk/abi.h"
+
 // Hidden, so that nothing of one plug-in is taken for the same thing of another.
 namespace plinian {
-namespace sdk __attribute__((visibility("hidden"))) {
+namespace PLINIAN_HIDDEN sdk {
 
-  /// Something was asked that cannot be; the message is the host's or the plug-in's own.
-  struct Error : std::runtime_error {
-    using std::runtime_error::runtime_error;
-  };
+/// Something was asked that cannot be; the message is the host's or the plug-in's own.
+struct Error : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
-  namespace detail {
+namespace detail {
 
-  // Runs a function of the plug-in; nothing that it throws crosses the boundary.
-  template <class Action, class Fail>
-  void guarded(const Action& action, const Fail& fail) {
-    try {
-      action();
-    } catch (const std::exception& error) {
-      fail(error.what());
-    } catch (...) {
-      fail("failed without saying why");
-    }
+// Runs a function of the plug-in; nothing that it throws crosses the boundary.
+template <class Action, class Fail>
+void guarded(const Action& action, const Fail& fail) {
+  try {
+    action();
+  } catch (const std::exception& error) {
+    fail(error.what());
+  } catch (...) {
+    fail("failed without saying why");
   }
+}
 
-  inline const char* text_or_null(const std::string& text) {
-    return text.empty() ? nullptr : text.c_str();
-  }
-  inline const double* number_or_null(const std::optional<double>& number) {
-    return number ? &*number : nullptr;
-  }
+inline const char* text_or_null(const std::string& text) {
+  return text.empty() ? nullptr : text.c_str();
+}
+inline const double* number_or_null(const std::optional<double>& number) {
+  return number ? &*number : nullptr;
+}
 
-  }  // namespace detail
+}  // namespace detail
 
-}  // namespace )
+}  // namespace sdk
 }  // namespace plinian
