@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <limits>
 
 #include "host/graph/graph_error.h"
 #include "host/sdk/inside_plugin.h"
@@ -46,6 +47,20 @@ ivec3 block_of(ivec3 voxel) {
 struct Block {
   std::array<float, BrickVolumeBuilder::block_voxels> density{}, temperature{};
 
+  // Voxels that hold what no medium can: nothing is put in their place. Returns how many.
+  int mend() {
+    int count = 0;
+    for (std::size_t i = 0; i < density.size(); ++i) {
+      const auto is_good = [](float value) {
+        return value >= 0.0f && value <= std::numeric_limits<float>::max();
+      };
+      if (is_good(density[i]) && is_good(temperature[i])) continue;
+      density[i] = temperature[i] = 0.0f;
+      ++count;
+    }
+    return count;
+  }
+
   void cut(ivec3 corner, ivec3 low, ivec3 high) {
     for (int z = 0; z < block_side; ++z)
       for (int y = 0; y < block_side; ++y)
@@ -73,6 +88,7 @@ BrickVolume made(ComputeState& state, const PlinianVolumeSource& source) {
   const bool hot = source.flags & PLINIAN_VOLUME_TEMPERATURE;
   const std::int64_t slices = std::int64_t(blocks.y) * blocks.z;
   std::atomic<bool> stopped{false};
+  std::atomic<std::int64_t> mended{0};
   // A row of blocks along x.
   const InsidePlugin* here = InsidePlugin::current();
   const auto fill_row = [&](std::int64_t row) {
@@ -88,6 +104,7 @@ BrickVolume made(ComputeState& state, const PlinianVolumeSource& source) {
       if (filled < 0) stopped = true;
       if (filled <= 0) continue;
       voxels.cut(corner, low, high);
+      if (const int count = voxels.mend(); count > 0) mended += count;
       builder.add(block, voxels.density.data(), hot ? voxels.temperature.data() : nullptr);
     }
   };
@@ -98,6 +115,10 @@ BrickVolume made(ComputeState& state, const PlinianVolumeSource& source) {
       for (std::int64_t row = 0; row < slices; ++row) fill_row(row);
   }
   if (stopped) throw GraphError("the volume could not be filled");
+  if (mended > 0)
+    state.context.warn(std::to_string(mended) + (mended == 1 ? " voxel" : " voxels") + " of a volume that " +
+                       state.data->owner + " made " + (mended == 1 ? "is" : "are") +
+                       " negative or not finite, and " + (mended == 1 ? "counts" : "count") + " as 0");
   return builder.build(object_from_index);
 }
 

@@ -14,8 +14,8 @@ class ComputeContext {
   virtual ~ComputeContext() = default;
 
   /// The value of an input, as set or as driven. The reference holds until the compute function returns.
-  /// Reading an input that does not affect the output is a mistake that the checking mode finds. A path
-  /// comes whole: with its variables filled in, and from the scene's folder on where it is relative.
+  /// Reading an input that does not affect the output is a mistake that is told of once. A path comes whole:
+  /// with its variables filled in, and from the scene's folder on where it is relative.
   virtual const Value& input(AttributeIndex attribute, std::int32_t element = -1) = 0;
   /// Elements of an array that exist, ascending.
   virtual std::vector<std::int32_t> elements(AttributeIndex array) = 0;
@@ -27,6 +27,8 @@ class ComputeContext {
   virtual bool cancelled() const = 0;
   /// How far a long computation is. fraction: in [0, 1].
   virtual void progress(double fraction, std::string_view what) = 0;
+  /// Says something of the result that is no failure, in one line; told when the result is new.
+  virtual void warn(const std::string& line) = 0;
 
   /// [frames] For types that tell the time only.
   virtual double time() const = 0;

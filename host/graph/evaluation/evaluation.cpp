@@ -39,8 +39,12 @@ class Evaluation::Context : public ComputeContext {
     const Value& value = plain_input(attribute, element);
     return is_relative(attribute, value) ? converted_.emplace_front(expanded(value)) : value;
   }
-  std::vector<std::int32_t> elements(AttributeIndex array) override { return node_.elements(array); }
+  std::vector<std::int32_t> elements(AttributeIndex array) override {
+    note_read(array, -1);
+    return node_.elements(array);
+  }
   Value input_at(double time, AttributeIndex attribute, std::int32_t element) override {
+    note_read(attribute, element);
     const ResultPtr result = evaluation_.evaluate_at(time, {node_.id, attribute, element, -1});
     reads_.push_back({time, attribute, element, result->identity});
     require(result);
@@ -64,6 +68,7 @@ class Evaluation::Context : public ComputeContext {
   void progress(double fraction, std::string_view what) override {
     if (evaluation_.services_.progress) evaluation_.services_.progress(output_, fraction, what);
   }
+  void warn(const std::string& line) override { warning_ += (warning_.empty() ? "" : "; ") + line; }
   double time() const override {
     if (!node_.type->spec().time_source) throw GraphError("asks for the time without being a time source");
     return evaluation_.time_;
@@ -77,11 +82,20 @@ class Evaluation::Context : public ComputeContext {
 
   std::vector<std::pair<AttributeIndex, Value>> outputs_;
   std::vector<OtherTimeRead> reads_;
+  std::string warning_;
 
  private:
+  // Returns whether the input affects the output, itself or by what is in it.
+  bool note_read(AttributeIndex attribute, std::int32_t element) {
+    if (affects(node_, attribute, output_.attribute)) return true;
+    if (!(*node_.schema)[attribute].children.empty())
+      for (const AttributeIndex leaf : node_.schema->leaves(attribute))
+        if (affects(node_, leaf, output_.attribute)) return true;
+    evaluation_.undeclared_reads_[output_].insert({node_.id, attribute, element});
+    return false;
+  }
   const Value& plain_input(AttributeIndex attribute, std::int32_t element) {
-    if (!affects(node_, attribute, output_.attribute)) {
-      evaluation_.undeclared_reads_[output_].insert({node_.id, attribute, element});
+    if (!note_read(attribute, element)) {
       // Not pulled beforehand, as the others were.
       for (const Input& input : node_.inputs_of(attribute, element))
         require(evaluation_.evaluate(input.source.whole()));
@@ -353,6 +367,8 @@ ResultPtr Evaluation::compute(const Node& node, const Plug& output, Hash key, bo
     result.identity = identity_of(value, own_key);
     result.value = std::move(value);
     result.time_dependent = time_dependent || !context.reads_.empty();
+    if (attribute == output.attribute && !context.warning_.empty())
+      result.warning = std::make_shared<const std::string>(std::move(context.warning_));
     const auto shared = std::make_shared<const Result>(std::move(result));
     // What was read without being declared is not in the key, so that the cache could not be trusted.
     if (services_.cache && !undeclared_reads_.contains(output))

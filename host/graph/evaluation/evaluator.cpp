@@ -163,6 +163,7 @@ ResultPtr Evaluator::evaluate(const Plug& plug) {
   const ResultPtr result = evaluation.evaluate(plug);
   for (const auto& [output, found] : evaluation.results()) accept(output, found);
   count(evaluation.counters());
+  tell_undeclared(evaluation.undeclared_reads());
   return result;
 }
 
@@ -189,6 +190,13 @@ void Evaluator::accept(const Plug& output, const ResultPtr& result) {
   if (!result->error) {
     state->last_good = result;
     failing_.erase(output);
+    if (result->warning) {
+      std::string& told = warned_[output];
+      if (std::exchange(told, *result->warning) != *result->warning && on_warning)
+        on_warning(graph_.name_of(output) + ": " + told);
+    } else if (!warned_.empty()) {
+      warned_.erase(output);
+    }
     return;
   }
   if (result->error->origin != output) {
@@ -201,6 +209,21 @@ void Evaluator::accept(const Plug& output, const ResultPtr& result) {
   if (reported == result->error->message) return;
   reported = result->error->message;
   reports_.push_back(graph_.name_of(cause) + ": " + reported);
+}
+
+// Once for a type, whichever of its nodes it was seen in.
+void Evaluator::tell_undeclared(const std::map<Plug, std::set<Plug>>& reads) {
+  for (const auto& [output, inputs] : reads) {
+    const Node* node = graph_.find(output.node);
+    if (!node || output.attribute >= node->schema->size()) continue;
+    const std::string computed = (*node->schema)[output.attribute].path;
+    for (const Plug& input : inputs) {
+      const std::string& read = (*node->schema)[input.attribute].path;
+      if (undeclared_told_.insert(node->type->name() + "." + computed + " " + read).second && on_warning)
+        on_warning(node->name + "." + computed + ": its computation reads '" + read +
+                   "', which is not declared to affect it: a change of it goes unseen");
+    }
+  }
 }
 
 void Evaluator::count(const EvaluationCounters& counters) {
@@ -234,6 +257,7 @@ std::vector<std::string> Evaluator::take_reports() {
 void Evaluator::forget() {
   cache_.clear();
   cancel_all();
+  undeclared_told_.clear();
   ++moment_;
   for (OutputState& state : states_)
     state = {.attribute = state.attribute, .pending = state.pending, .dirtied_at = moment_};

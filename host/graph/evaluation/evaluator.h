@@ -71,6 +71,10 @@ class Evaluator : private GraphObserver {
   /// is none.
   std::string error_text(const Plug& plug, const Result& result) const;
 
+  /// Hears what computations have to say of their results, and of inputs that they read although these are
+  /// not declared to affect what is computed: one line each, and not again before it changes.
+  std::function<void(const std::string& line)> on_warning;
+
   /// Failures since the last call, one line for each cause, however much is blocked by it.
   std::vector<std::string> take_reports();
 
@@ -114,6 +118,7 @@ class Evaluator : private GraphObserver {
     std::vector<ResultPtr> results;
     FlatMap<Plug, ResultPtr> computed;
     EvaluationCounters counters;
+    std::map<Plug, std::set<Plug>> undeclared_reads;
   };
   using RequestPtr = std::shared_ptr<Request>;
 
@@ -126,6 +131,7 @@ class Evaluator : private GraphObserver {
   void push_outputs(const Node& node);
   void accept(const Plug& output, const ResultPtr& result);
   void count(const EvaluationCounters& counters);
+  void tell_undeclared(const std::map<Plug, std::set<Plug>>& reads);
   EvaluationServices services();
   void cover(Request& request);
   void end(const RequestPtr& request);
@@ -139,7 +145,8 @@ class Evaluator : private GraphObserver {
   std::vector<StateRange> state_ranges_;  // by node
   std::set<NodeId> time_sources_;
   std::uint64_t moment_ = 1;  // counts edits and changes of time
-  std::map<Plug, std::string> failing_;
+  std::map<Plug, std::string> failing_, warned_;
+  std::set<std::string> undeclared_told_;  // "type.output attribute"
   std::vector<std::string> reports_;
   EvaluationCounters counters_;
   std::uint64_t dirtied_ = 0;

@@ -95,6 +95,7 @@ void Evaluator::work() {
     request->results = std::move(results);
     request->computed = evaluation.results();
     request->counters = evaluation.counters();
+    request->undeclared_reads = evaluation.undeclared_reads();
     {
       const std::lock_guard lock(mutex_);
       done_.push_back(std::move(request));
@@ -114,6 +115,7 @@ void Evaluator::end(const RequestPtr& request) {
     if (plug.node.value < state_ranges_.size())
       if (OutputState* output = state(plug); output && output->pending > 0) --output->pending;
   count(request->counters);
+  tell_undeclared(request->undeclared_reads);
   Outcome outcome;
   outcome.cancelled = request->cancelled;
   if (!outcome.cancelled) outcome.results = request->results;

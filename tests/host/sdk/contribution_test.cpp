@@ -34,6 +34,37 @@ TEST(Contribution, ShapesHaveAHiddenOutputForItAndAPlaceInTheHierarchy) {
   EXPECT_TRUE(shape->spec().hierarchical);
 }
 
+TEST(Contribution, VoxelsThatNoMediumCanHoldCountAsNothingAndAreToldOfOnce) {
+  PluginSession s;
+  std::vector<std::string> warnings;
+  s.session.on_warning = [&](const std::string& line) { warnings.push_back(line); };
+  s.run("loadPlugin cloud\ncreateNode blob -name b\nsetAttr b.radius 2\nsetAttr b.spoiled -9");
+  const auto voxels = [&] {
+    const graph::ResultPtr result = s.session.evaluator().evaluate(s.session.graph().plug("b.out"));
+    return volume_in(result->value)->active_voxels;
+  };
+  EXPECT_EQ(voxels(), 33);  // of a ball of radius 2
+  EXPECT_TRUE(warnings.empty());
+  s.run("setAttr b.spoiled -1");  // the one with x = -2
+  EXPECT_EQ(voxels(), 32);
+  s.run("setAttr b.spoiled 0");  // and those with x = -1
+  EXPECT_EQ(voxels(), 33 - 10);
+  s.run("setAttr b.hot on");  // computed again, and the same
+  EXPECT_EQ(voxels(), 33 - 10);
+  EXPECT_EQ(
+      warnings,
+      (std::vector<std::string>{
+          "b.out: 1 voxel of a volume that the plug-in 'cloud' made is negative or not finite, and counts "
+          "as 0",
+          "b.out: 10 voxels of a volume that the plug-in 'cloud' made are negative or not finite, and "
+          "count as 0"}));
+  s.run("setAttr b.spoiled -9");
+  voxels();
+  s.run("setAttr b.spoiled -1");
+  voxels();
+  EXPECT_EQ(warnings.size(), 3u) << "it is told again when it is so again";
+}
+
 TEST(Contribution, HoldsWhatTheShapeAddsInItsOwnSpace) {
   CloudSession s;
   s.run("setAttr c.lamp on\nsetAttr c.density 4\nsetAttr c.colour 0.5 0.25 0");

@@ -20,6 +20,31 @@ TEST(Checking, ExposesAnInputThatIsReadWithoutBeingDeclared) {
           "l.out: computed anew it differs; its computation reads 'b', which is not declared to affect it"});
 }
 
+TEST(Checking, EveryEvaluationTellsOfAnUndeclaredReadOnceForTheType) {
+  EvaluationScene s;
+  std::vector<std::string> warnings;
+  s.evaluator.on_warning = [&](const std::string& line) { warnings.push_back(line); };
+  s.create("liar", "l");
+  s.create("liar", "m");
+  s.create("add", "x");
+  s.connect("l.out", "x.a");
+  s.connect("m.out", "x.b");
+  for (int i = 0; i < 3; ++i) {
+    s.set("l.a", double(i));
+    s.get("x.out");
+  }
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(
+      warnings[0].substr(1),
+      ".out: its computation reads 'b', which is not declared to affect it: a change of it goes unseen");
+  warnings.clear();
+  s.evaluator.forget();  // the type may have come back as another
+  s.set("l.a", 9.0);
+  s.evaluator.request({s.plug("x.out")}, nullptr);
+  s.evaluator.finish();
+  EXPECT_EQ(warnings.size(), 1u) << "on workers as well";
+}
+
 TEST(Checking, ExposesAComputationThatDependsOnSomethingElse) {
   EvaluationScene s;
   int secret = 1;

@@ -1,5 +1,7 @@
 // Shapes and volumes from outside: a node that makes voxels, one that reads and thins them, and a shape that
 // shows them.
+#include <limits>
+
 #include "host/sdk/plugin.h"
 
 namespace {
@@ -11,11 +13,14 @@ NodeType blob() {
   const Attribute radius = type.add({.name = "radius", .default_value = "6", .affects = "out"});
   const Attribute hot = type.add({.name = "hot", .type = "bool", .affects = "out"});
   const Attribute fails = type.add({.name = "fails", .type = "bool", .affects = "out"});
+  const Attribute spoiled =
+      type.add({.name = "spoiled", .type = "int", .default_value = "-99", .affects = "out"});
   const Attribute out =
       type.add({.name = "out", .type = "data", .data_type = "plinian.volume", .output = true});
   type.compute = [=](Context& context, Attribute) {
     const double r = context.number(radius);
     const bool failing = context.number(fails) != 0.0;
+    const double bad_planes = context.number(spoiled);
     VolumeSource source;
     source.first = {-20, -20, -20};
     source.count = {41, 41, 41};
@@ -28,7 +33,10 @@ NodeType blob() {
       for (int i = 0; i < 512; ++i) {
         const int x = first[0] + i % 8, y = first[1] + i / 8 % 8, z = first[2] + i / 64;
         if (x * x + y * y + z * z > r * r) continue;
-        density[i] = 2.0f;
+        density[i] = x >= bad_planes ? 2.0f
+                     : y < 0         ? -1.0f
+                     : y == 0        ? std::numeric_limits<float>::infinity()
+                                     : std::numeric_limits<float>::quiet_NaN();
         if (temperature) temperature[i] = 1500.0f;
         any = true;
       }
