@@ -128,8 +128,9 @@ struct Note {
                                                                                    "\n"
 
 /// Makes a shared library a plug-in: describes it, in a note that is read without loading it, and exports
-/// what the host calls. registers: "node:TYPE command:NAME ..."; it and what stands before it are string
-/// literals. initialise_function: void (plinian::sdk::Plugin&); throws to refuse.
+/// what the host calls. registers: "node:TYPE command:NAME data:TYPE file:NAME", each type, command, data
+/// type and file type that it brings and no other, else it is refused; it and what stands before it are
+/// string literals. initialise_function: void (plinian::sdk::Plugin&); throws to refuse.
 #define PLINIAN_PLUGIN(plugin_name, plugin_version, plugin_vendor, registers, initialise_function) \
   __attribute__((section(".note.plinian"), used,                                                   \
                  aligned(4))) constinit const plinian::sdk::detail::Note plinian_plugin_note{      \

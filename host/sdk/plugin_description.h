@@ -9,7 +9,7 @@ namespace plinian::sdk {
 struct PluginDescription {
   std::string name, version, vendor;
   int abi_major = 0, abi_minor = 0;
-  std::vector<std::string> registers;  // "node:TYPE", "command:NAME"
+  std::vector<std::string> registers;  // "node:TYPE", "command:NAME", "data:TYPE", "file:NAME"
 };
 
 /// The description in the library's ELF note (section .note.plinian) or, where it has none, in the file of

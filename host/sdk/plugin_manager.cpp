@@ -3,7 +3,10 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <iterator>
+#include <set>
 
 #include "core/scene/nearest_word.h"
 #include "host/graph/edits/sleep.h"
@@ -23,6 +26,30 @@ namespace {
 std::string skipped_text(const std::string& path) {
   return path + ": did not come back when it was loaded last, and is skipped; 'loadPlugin " + path +
          "' tries it again";
+}
+
+// Where a description does not list what was registered, or lists what was not; else empty. Before version
+// 1.2 of the interface nobody looked.
+std::string registers_problem(const PluginDescription& description, const PluginRegistrar& registrar) {
+  if (description.abi_minor < 2) return "";
+  const std::set<std::string> said(description.registers.begin(), description.registers.end());
+  std::set<std::string> done;
+  for (const graph::NodeTypeSpec& type : registrar.node_types) done.insert("node:" + type.name);
+  for (const graph::CommandSpec& command : registrar.commands) done.insert("command:" + command.name);
+  for (const graph::DataType& type : registrar.data_types) done.insert("data:" + type.name);
+  for (const graph::FileType& type : registrar.file_types) done.insert("file:" + type.name);
+  const auto without = [](const std::set<std::string>& all, const std::set<std::string>& others) {
+    std::vector<std::string> rest;
+    std::set_difference(all.begin(), all.end(), others.begin(), others.end(), std::back_inserter(rest));
+    return rest;
+  };
+  const auto extra = without(done, said), missing = without(said, done);
+  std::string problem;
+  if (!extra.empty()) problem = "registers " + join(extra) + ", which its description does not list";
+  if (!missing.empty())
+    problem += (problem.empty() ? "does not register " : "; does not register ") + join(missing) +
+               ", which its description lists";
+  return problem;
 }
 
 }  // namespace
@@ -52,25 +79,53 @@ PluginManager::PluginManager(graph::Session& session, std::vector<fs::path> fold
   }
   folders_.insert(folders_.end(), folders.begin(), folders.end());
   add_commands();
+  session_.types().hint = [this](const std::string& name) { return hint_at("node:" + name); };
+  session_.commands().hint = [this](const std::string& name) { return hint_at("command:" + name); };
   session_.on_requires = [this](const std::string& name) {
-    if (libraries_.contains(name)) return;
     try {
+      if (const auto loaded = libraries_.find(name); loaded != libraries_.end())
+        return loaded->second->description.version;
       // A scene is data: it names plug-ins that are installed, and cannot point at a file.
       if (name.find('/') != name.npos) throw GraphError("the scene needs a plug-in " + graph::shown(name));
-      load(name);
+      return libraries_.at(load(name))->description.version;
     } catch (const GraphError& error) {
       session_.warn(error.what());  // the scene opens all the same
+      return std::string();
     }
   };
 }
 
 PluginManager::~PluginManager() {
   session_.on_requires = nullptr;
+  session_.types().hint = session_.commands().hint = nullptr;
   graph::drop_unwritable_data(session_.editor());
   session_.history().forget_steps();
   while (!libraries_.empty()) remove(*libraries_.begin()->second);
   for (const char* command : {"loadPlugin", "unloadPlugin", "pluginInfo"})
     session_.commands().remove(command);
+}
+
+std::string PluginManager::hint_at(const std::string& what) const {
+  for (const fs::path& folder : folders_) {
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder, error)) {
+      const fs::path& path = entry.path();
+      if (path.extension() != ".so") continue;
+      try {
+        const PluginDescription found = read_description(path.string());
+        const auto& brings = found.registers;
+        if (libraries_.contains(found.name) || !abi_problem(found).empty() ||
+            std::find(brings.begin(), brings.end(), what) == brings.end())
+          continue;
+        std::string name = path.stem().string();
+        if (!fs::exists(folder / (name + ".so"), error) || find(name) != path.string()) name = path.string();
+        return ": the plug-in '" + found.name + "' brings it: loadPlugin " + graph::quote_if_needed(name);
+      } catch (const GraphError&) {
+        // No plug-in.
+      }
+    }
+  }
+  return "";
 }
 
 std::string PluginManager::find(const std::string& name) const {
@@ -184,6 +239,8 @@ void PluginManager::start(Library& library, int (*initialise)(const PlinianHost*
   if (!success || !library.registrar.error.empty())
     back_out("failed to initialise: " +
              (library.registrar.error.empty() ? std::string("no reason is given") : library.registrar.error));
+  if (const std::string problem = registers_problem(library.description, library.registrar); !problem.empty())
+    back_out(problem);
   try {
     enter(library);
   } catch (const GraphError& error) {

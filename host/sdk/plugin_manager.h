@@ -71,6 +71,7 @@ class PluginManager {
  private:
   struct Library;
   std::string find(const std::string& name) const;
+  std::string hint_at(const std::string& what) const;
   void add_commands();
   void start(Library& library, int (*initialise)(const PlinianHost*));
   std::string adopt(std::unique_ptr<Library> library);

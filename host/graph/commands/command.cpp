@@ -157,7 +157,9 @@ void CommandRegistry::add(CommandSpec spec) {
 const CommandSpec& CommandRegistry::get(const std::string& name) const {
   const auto found = commands_.find(name);
   if (found != commands_.end()) return found->second;
-  throw GraphError("unknown command " + shown(name) + did_you_mean(name, names()));
+  const std::string source = hint ? hint(name) : "";
+  throw GraphError("unknown command " + shown(name) +
+                   (source.empty() ? did_you_mean(name, names()) : source));
 }
 
 std::vector<std::string> CommandRegistry::names() const {

@@ -78,6 +78,8 @@ class CommandRegistry {
   /// The command of that name. Throws GraphError with the nearest name.
   const CommandSpec& get(const std::string& name) const;
   std::vector<std::string> names() const;
+  /// Says, behind an error, where a command could come from that is not there; empty where nobody knows.
+  std::function<std::string(const std::string& name)> hint;
 
  private:
   std::map<std::string, CommandSpec> commands_;

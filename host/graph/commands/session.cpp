@@ -112,15 +112,18 @@ void Session::recover_scene(const std::string& file, const std::string& scene_pa
 // Reads a file in place of the scene.
 void Session::take_scene(const std::string& file, const std::string& scene_path, bool saved) {
   tell(SceneMoment::before_open, file);
-  SceneReport report;
+  SceneReport report, versions;
   const std::string text = read_text_file(file);
-  for (const std::string& plugin : required_plugins(text, file))
-    if (on_requires) on_requires(plugin);
+  for (const RequiredPlugin& plugin : required_plugins(text, file))
+    if (const std::string version = on_requires ? on_requires(plugin.name) : ""; !version.empty())
+      compare_version(plugin, version, file, versions);
   {
     const History::Scope scope(history_, "open");
     clear_graph(editor_);
     report = read_scene(text, file, types_, editor_);
   }
+  report.read_only = report.read_only || versions.read_only;
+  report.warnings.insert(report.warnings.begin(), versions.warnings.begin(), versions.warnings.end());
   history_.clear();
   saved ? history_.mark_saved() : history_.mark_modified();
   scene_path_ = scene_path;

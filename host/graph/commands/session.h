@@ -56,8 +56,9 @@ class Session {
   void note(const std::string& line) const;
   void add_listener(SessionListener* listener) { listeners_.push_back(listener); }
   void remove_listener(SessionListener* listener) { std::erase(listeners_, listener); }
-  /// Is told of each plug-in that a scene needs before the scene is opened, and may load it.
-  std::function<void(const std::string& plugin)> on_requires;
+  /// Is told of each plug-in that a scene needs before the scene is opened, and may load it. Returns the
+  /// version that is loaded; empty for none.
+  std::function<std::string(const std::string& plugin)> on_requires;
 
   /// An empty scene but for a time node; the old one cannot be had back.
   void new_scene();

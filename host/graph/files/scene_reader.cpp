@@ -2,6 +2,7 @@
 #include "host/graph/files/scene_reader.h"
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -191,11 +192,34 @@ SceneReport read_scene(std::string_view text, const std::string& name, const Typ
   return SceneReader(name, registry, editor, name_space).read(scene);
 }
 
-std::vector<std::string> required_plugins(std::string_view text, const std::string& name) {
-  std::vector<std::string> plugins;
-  for (const SceneLine& line : read_sections(text, name).requirements)
-    plugins.push_back(split_words(line.text).at(1).text);
+std::vector<RequiredPlugin> required_plugins(std::string_view text, const std::string& name) {
+  std::vector<RequiredPlugin> plugins;
+  for (const SceneLine& line : read_sections(text, name).requirements) {
+    const std::vector<Word> words = split_words(line.text);
+    plugins.push_back({words.at(1).text, words.size() > 2 ? words[2].text : ""});
+  }
   return plugins;
+}
+
+void compare_version(const RequiredPlugin& required, const std::string& version, const std::string& name,
+                     SceneReport& report) {
+  // Of "1.4.2-beta" the first two numbers; none count as 0.
+  const auto numbers = [](const std::string& text) {
+    std::pair<unsigned long, unsigned long> result;
+    char* rest = nullptr;
+    result.first = std::strtoul(text.c_str(), &rest, 10);
+    if (*rest == '.') result.second = std::strtoul(rest + 1, nullptr, 10);
+    return result;
+  };
+  const auto [major, minor] = numbers(required.version);
+  const auto [own_major, own_minor] = numbers(version);
+  const bool newer_major = major > own_major;
+  if (!newer_major && (major < own_major || minor <= own_minor)) return;
+  report.read_only = report.read_only || newer_major;
+  report.warnings.push_back(
+      name + ": was saved with version " + required.version + " of the plug-in '" + required.name +
+      "', here is " + version +
+      (newer_major ? ": it is opened read-only" : ": what is not known here is kept as it is"));
 }
 
 std::string read_text_file(const std::string& path) {

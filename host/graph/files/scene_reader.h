@@ -25,8 +25,16 @@ struct SceneReport {
 SceneReport read_scene(std::string_view text, const std::string& name, const TypeRegistry& registry,
                        Editor& editor, const std::string& name_space = "");
 
-/// Names of the plug-ins that a scene says it needs. Throws as read_scene does.
-std::vector<std::string> required_plugins(std::string_view text, const std::string& name);
+/// What a scene says it needs. Throws as read_scene does.
+struct RequiredPlugin {
+  std::string name, version;
+};
+std::vector<RequiredPlugin> required_plugins(std::string_view text, const std::string& name);
+
+/// What it means for the scene that the plug-in is there in another version, as for a newer format: a newer
+/// minor version was needed and a warning is added, or a newer major one and the scene is read-only as well.
+void compare_version(const RequiredPlugin& required, const std::string& version, const std::string& name,
+                     SceneReport& report);
 
 /// The text of a file. Throws GraphError where it cannot be read or is larger than any scene (1 GiB).
 std::string read_text_file(const std::string& path);

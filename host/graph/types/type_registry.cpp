@@ -31,7 +31,9 @@ NodeTypePtr TypeRegistry::find(std::string_view name) const {
 
 NodeTypePtr TypeRegistry::get(std::string_view name) const {
   if (const NodeTypePtr type = find(name)) return type;
-  throw GraphError("unknown node type " + shown(name) + did_you_mean(name, names()));
+  const std::string source = hint ? hint(std::string(name)) : "";
+  throw GraphError("unknown node type " + shown(name) +
+                   (source.empty() ? did_you_mean(name, names()) : source));
 }
 
 std::vector<std::string> TypeRegistry::names() const {

@@ -31,7 +31,7 @@ TEST(BadPlugin, WhatCannotBeUsedIsRefusedAsAWhole) {
   EXPECT_EQ(
       s.refusal(described("plain", "name plain\nversion 1\nabi 2.0\n")),
       own / "plain.so" + std::string(": was built for version 2.0 of the plug-in interface, this program has "
-                                     "1.1: it needs a newer Plinian"));
+                                     "1.2: it needs a newer Plinian"));
   EXPECT_EQ(s.refusal(described("no_symbols", "name none\nversion 1\nabi 1.0\n")),
             own / "no_symbols.so" + std::string(": lacks the function plinian_initialise"));
   EXPECT_EQ(s.refusal(described("throws_through", "name through\nversion 1\nabi 1.0\n")),
@@ -56,6 +56,11 @@ TEST(BadPlugin, WhatCannotBeUsedIsRefusedAsAWhole) {
                 "'timeChanged'?)");
   EXPECT_EQ(s.refusal("loadPlugin data_twice"),
             folder + "/data_twice.so: data type 'pointList' is already registered by the plug-in 'bad'");
+  EXPECT_EQ(
+      s.refusal("loadPlugin bad_description"),
+      folder +
+          "/bad_description.so: registers command:unsaidToo, node:unsaid, which its description does not "
+          "list; does not register data:undone, which its description lists");
   EXPECT_EQ(s.refusal("loadPlugin bad_symbol").find(folder + "/bad_symbol.so: cannot be loaded: "), 0u);
   s.run("loadPlugin extras");
   EXPECT_EQ(s.refusal("loadPlugin same_data"),

@@ -19,8 +19,9 @@ TEST(PluginDescription, IsReadFromTheLibraryWithoutLoadingIt) {
   EXPECT_EQ(wobble.version, "1.2");
   EXPECT_EQ(wobble.vendor, "A. Artist");
   EXPECT_EQ(wobble.abi_major, 1);
-  EXPECT_EQ(wobble.abi_minor, 1);
-  EXPECT_EQ(wobble.registers, (std::vector<std::string>{"node:wobble", "command:wobbleAll"}));
+  EXPECT_EQ(wobble.abi_minor, 2);
+  EXPECT_EQ(wobble.registers,
+            (std::vector<std::string>{"node:wobble", "node:wobbleTotal", "command:wobbleAll"}));
 }
 
 TEST(PluginDescription, MayStandInAFileBesideTheLibrary) {
@@ -48,12 +49,12 @@ TEST(PluginDescription, AnotherMajorOrANewerMinorVersionIsRefused) {
   };
   EXPECT_EQ(problem(1, 0), "");
   EXPECT_EQ(problem(0, 9),
-            "was built for version 0.9 of the plug-in interface, this program has 1.1: build it again");
+            "was built for version 0.9 of the plug-in interface, this program has 1.2: build it again");
   EXPECT_EQ(
       problem(2, 0),
-      "was built for version 2.0 of the plug-in interface, this program has 1.1: it needs a newer Plinian");
-  EXPECT_EQ(problem(1, 1), "");
-  EXPECT_NE(problem(1, 2), "");
+      "was built for version 2.0 of the plug-in interface, this program has 1.2: it needs a newer Plinian");
+  EXPECT_EQ(problem(1, 2), "");
+  EXPECT_NE(problem(1, 3), "");
 }
 
 TEST(PluginDescription, WhatIsNoLibraryOrADamagedOneCostsALine) {

@@ -15,7 +15,7 @@ static void initialise(plinian::sdk::Plugin& plugin) {
   type.add({.name = "a", .affects = "nothing"});
   plugin.add(type);
 }
-PLINIAN_PLUGIN("bad", "1.0", "Nobody", "node:badNode", initialise);
+PLINIAN_PLUGIN("bad", "1.0", "Nobody", "node:fineNode node:badNode", initialise);
 #elif defined(BAD_DATA)
 // Registers a data type as often as BAD_DATA says.
 struct Thing {};
@@ -78,6 +78,14 @@ static void initialise(plinian::sdk::Plugin& plugin) {
   plugin.on("tomeChanged", [](const Event&) {});
 }
 PLINIAN_PLUGIN("bad", "1.0", "Nobody", "", initialise);
+#elif defined(BAD_DESCRIPTION)
+static void initialise(plinian::sdk::Plugin& plugin) {
+  using namespace plinian::sdk;
+  plugin.add(NodeType("said"));
+  plugin.add(NodeType("unsaid"));
+  plugin.add(Command{.name = "unsaidToo", .run = [](Call&) {}});
+}
+PLINIAN_PLUGIN("bad", "1.0", "Nobody", "node:said data:undone", initialise);
 #elif defined(BAD_SYMBOL)
 // Needs a function that nobody has.
 extern "C" void plinian_test_nobody_has_this();

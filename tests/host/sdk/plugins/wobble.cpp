@@ -8,6 +8,12 @@
 #define WOBBLE_TYPE "wobble"
 #endif
 
+#ifdef WOBBLE_NO_COMMAND
+#define WOBBLE_REGISTERS "node:" WOBBLE_TYPE " node:" WOBBLE_TYPE "Total"
+#else
+#define WOBBLE_REGISTERS "node:" WOBBLE_TYPE " node:" WOBBLE_TYPE "Total command:wobbleAll"
+#endif
+
 namespace {
 
 struct Numbers {
@@ -93,8 +99,7 @@ void initialise(Plugin& plugin) {
 }  // namespace
 
 #ifdef WOBBLE_LINKED
-PLINIAN_LINKED_PLUGIN(WOBBLE_LINKED, WOBBLE_NAME, "1.2", "A. Artist",
-                      "node:" WOBBLE_TYPE " command:wobbleAll", initialise);
+PLINIAN_LINKED_PLUGIN(WOBBLE_LINKED, WOBBLE_NAME, "1.2", "A. Artist", WOBBLE_REGISTERS, initialise);
 #else
-PLINIAN_PLUGIN(WOBBLE_NAME, "1.2", "A. Artist", "node:" WOBBLE_TYPE " command:wobbleAll", initialise);
+PLINIAN_PLUGIN(WOBBLE_NAME, "1.2", "A. Artist", WOBBLE_REGISTERS, initialise);
 #endif
