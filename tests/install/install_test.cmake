@@ -52,6 +52,10 @@ run(${CMAKE_COMMAND} --build ${WORK}/marker_old)
 file(COPY_FILE ${WORK}/marker_old/marker.so ${WORK}/author/marker/marker_old.so)
 run(${CMAKE_COMMAND} -E env PLINIAN_TUTORIAL=${WORK}/author/marker ${BUILD}/tests/host/draw/draw_test --gtest_filter=*Tutorial*)
 
+# The one that shows every type of attribute.
+run(${CMAKE_COMMAND} -S ${examples}/attributes -B ${WORK}/attributes -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/prefix)
+run(${CMAKE_COMMAND} --build ${WORK}/attributes)
+
 # A shape of its own: it overlaps an atfmVolume, and each shadows the other.
 run(${CMAKE_COMMAND} -E env PLINIAN_SECOND_SHAPE=${WORK}/author/puff ${BUILD}/tests/host/scene/host_scene_test
     --gtest_filter=SecondShape.*)

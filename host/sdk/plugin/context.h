@@ -27,6 +27,8 @@ class Context {
  public:
   Context(const PlinianCompute& table, PlinianContext* context) : table_(table), context_(context) {}
 
+  /// Of a bool 0 or 1, of an enum the number of its choice (not its place among them), of a distance metres, of
+  /// an angle degrees, of a time frames.
   double number(Attribute a, std::int32_t element = -1) const { return read_number(a, element, nullptr); }
   std::array<float, 4> vector(Attribute a, std::int32_t element = -1) const {
     return read_vector(a, element, nullptr);
@@ -81,7 +83,8 @@ class Context {
     check(table_.write_data(context_, a.index, &data));
   }
 
-  /// A ramp at a position.
+  /// A ramp at a position, held constant beyond its first and last point; 0 where it has none, as it is
+  /// without a default.
   std::array<float, 3> sample_ramp(Attribute a, float position, std::int32_t element = -1) const {
     std::array<float, 3> value{};
     check(table_.sample_ramp(context_, a.index, element, nullptr, position, value.data()));
