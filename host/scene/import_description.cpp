@@ -4,8 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <future>
 
 #include "core/media/frame_sequence.h"
 #include "core/scene/medium_loader.h"
@@ -49,6 +51,9 @@ template <class T, class Enum>
 std::string word_of(const std::vector<Parameter<T>>& table, const char* parameter, Enum value) {
   return find_parameter(table, parameter)->spec.choices.at(std::size_t(value));
 }
+
+// Of the work on a medium; the rest is measuring it.
+constexpr double reading_share = 0.9;
 
 class Importer {
  public:
@@ -204,6 +209,22 @@ class Importer {
     return node;
   }
 
+  bool tell(double part) const {
+    return !options_.progress || options_.progress(share_ + part / double(medium_nodes_.size()));
+  }
+
+  // Does what takes its time on a thread of its own, while progress is told on this one.
+  template <class Work>
+  auto beside(const Work& work) {
+    std::future<decltype(work())> result = std::async(std::launch::async, work);
+    bool wanted = true;
+    while (result.wait_for(std::chrono::milliseconds(2)) != std::future_status::ready)
+      wanted = tell(reading_share) && wanted;
+    auto done = result.get();
+    if (!tell(1.0) || !wanted) throw SceneLoadCancelled();
+    return done;
+  }
+
   void fill_media() {
     for (std::size_t i = 0; i < medium_nodes_.size(); ++i) {
       const MediumNodes& nodes = medium_nodes_[i];
@@ -220,7 +241,8 @@ class Importer {
         set_word(nodes.source + ".up_axis", std::string(1, space.up_axis));
         set(nodes.source + ".file_unit", space.file_unit);
       }
-      media_.push_back(finish_medium(d, std::move(setup.volume), &setup.facts, told_));
+      // Measuring how dense a volume is looks at all of it.
+      media_.push_back(beside([&] { return finish_medium(d, setup.volume, &setup.facts, told_); }));
       for (const auto& volume : setup.others) {
         to_show_.push_back(media_.back());
         to_show_.back().volume = volume;
@@ -252,9 +274,8 @@ class Importer {
 
   graph::Value evaluate(const std::string& name) {
     const graph::Plug plug = session_.graph().plug(name);
-    const bool finished = compute_plugs(session_, {plug}, [&](double part) {
-      return !options_.progress || options_.progress(share_ + part / double(medium_nodes_.size()));
-    });
+    const bool finished =
+        compute_plugs(session_, {plug}, [&](double part) { return tell(part * reading_share); });
     if (!finished) throw SceneLoadCancelled();
     const graph::ResultPtr result = session_.evaluator().evaluate(plug);
     session_.evaluator().take_reports();

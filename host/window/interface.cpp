@@ -106,14 +106,16 @@ void Interface::turn() {
   }
 }
 
+// While a job runs, what is looked at goes on.
 void Interface::draw_meanwhile() {
   note_work(false);
   window_.wait(0.0);
   note_work(true);
   for (const Chord& chord : window_.take_keys())
-    if (studio_.hotkeys.action(chord) == Action::cancel) window::act(studio_, Action::cancel);
+    if (const auto action = studio_.hotkeys.action(chord); action && is_of_the_view(*action))
+      window::act(studio_, *action);
   studio_.update_picture();
-  draw();
+  if (earliness() <= 0.0) draw();
 }
 
 void Interface::take_input() {
@@ -146,9 +148,7 @@ void Interface::draw() {
   const auto begin = std::chrono::steady_clock::now();
   window_.begin_frame();
   note_mouse();
-  ImGui::BeginDisabled(!studio_.commands.job.what.empty());
   show_panels();
-  ImGui::EndDisabled();
   show_job(studio_);
   window_.end_frame(vec3(0.09f));
   drawn_ = std::chrono::steady_clock::now();
@@ -225,7 +225,11 @@ void Interface::settle_title() {
 }
 
 void Interface::show_panels() {
+  // While a job is in the middle of a step of undo, the picture can be looked at and nothing edited.
+  const bool busy = !studio_.commands.job.what.empty();
+  ImGui::BeginDisabled(busy);
   show_menu(studio_);
+  ImGui::EndDisabled();
   const ivec2 room = window_.size();
   const float line = ImGui::GetFrameHeight(), strip = line + scaled(8);
   const Panes panes =
@@ -234,8 +238,9 @@ void Interface::show_panels() {
   above.size.y = strip;
   picture.begin.y += strip;
   picture.size.y = std::max(1.0f, picture.size.y - strip);
-  show_view_strip(studio_, above);
   viewport_.show(studio_, picture, window_.pixel_ratio());
+  ImGui::BeginDisabled(busy);
+  show_view_strip(studio_, above);
   if (studio_.show_panels) {
     outliner_.show(studio_, panes.outliner);
     lights_.show(studio_, panes.lights);
@@ -246,6 +251,7 @@ void Interface::show_panels() {
   }
   show_status(studio_, panes.status);
   show_dialogs();
+  ImGui::EndDisabled();
   settle_title();
 }
 

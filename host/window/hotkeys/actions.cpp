@@ -26,6 +26,24 @@ void key_selection(Studio& studio) {
 
 }  // namespace
 
+bool is_of_the_view(Action action) {
+  switch (action) {
+    case Action::frame_all:
+    case Action::camera_back:
+    case Action::camera_forth:
+    case Action::scene_camera:
+    case Action::wipe:
+    case Action::difference:
+    case Action::toggle_display:
+    case Action::toggle_panels:
+    case Action::hotkey_list:
+    case Action::cancel:
+      return true;
+    default:
+      return false;
+  }
+}
+
 void act(Studio& studio, Action action) {
   const bool selected = !studio.session().graph().selection().empty();
   Comparison& comparison = studio.comparison;

@@ -10,4 +10,7 @@ class Studio;
 /// Does what a key stands for; play and the steps of the time are the timeline's.
 void act(Studio& studio, Action action);
 
+/// Whether an action leaves the scene as it is and asks it nothing: what can be done while a job runs.
+bool is_of_the_view(Action action);
+
 }  // namespace plinian::window

@@ -35,7 +35,8 @@ void ViewportHand::move(Studio& studio, const PaneRect& picture, bool hovered) {
     moved_ = false;
     last_ = mouse;
   }
-  if (hovered && hold_ == Hold::nothing && studio.light_key_held && ImGui::IsMouseClicked(0)) {
+  if (hovered && hold_ == Hold::nothing && studio.light_key_held && studio.commands.job.what.empty() &&
+      ImGui::IsMouseClicked(0)) {
     light_ = light_to_turn(studio.session().graph());
     if (light_) {
       hold_ = Hold::light;

@@ -1,5 +1,6 @@
 // A description made into nodes is the scene that core's own loader makes of it, to the bit.
 #include <random>
+#include <thread>
 
 #include "core/media/vdb_writer.h"
 #include "core/scene/medium_loader.h"
@@ -225,6 +226,28 @@ TEST(ImportDescription, BadInputIsRefusedBeforeAnythingIsMade) {
   set_scene_value(cancelled, "medium.resolution", "128");
   EXPECT_THROW(import_description(w.session(), cancelled, {.progress = [](double) { return false; }}),
                SceneLoadCancelled);
+}
+
+// Whoever draws a window is asked while a volume is measured too, on the thread that imports.
+TEST(ImportDescription, CancelledWhileAVolumeIsMeasuredLeavesTheSceneAsItWas) {
+  TestWorkspace w;
+  const std::string before = w.run("ls");
+  const auto here = std::this_thread::get_id();
+  double highest = 0.0;
+  const auto progress = [&](double share) {
+    EXPECT_EQ(std::this_thread::get_id(), here);
+    EXPECT_GE(share, highest);
+    highest = share;
+    return share < 0.9;
+  };
+  const auto import = [&] {
+    const graph::History::Scope scope(w.session().history(), "import");
+    import_description(w.session(), small_scene(), {.progress = progress});
+  };
+  EXPECT_THROW(import(), SceneLoadCancelled);
+  EXPECT_GE(highest, 0.9) << "it was asked after reading";
+  EXPECT_EQ(w.run("ls"), before);
+  EXPECT_TRUE(w.session().history().undo_names().empty());
 }
 
 TEST(ImportCommand, AVolumeComesAloneAndANeutralSceneWithAllItHas) {
