@@ -56,6 +56,7 @@ void error(const std::string& line) {
 
 void print(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
+  std::fflush(stdout);  // whoever reads along has it at once, and a crash loses none of it
 }
 
 std::string bytes_text(double bytes) {

@@ -13,6 +13,7 @@
 #include "host/cli/command.h"
 #include "host/cli/console.h"
 #include "host/cli/progress.h"
+#include "host/graph/commands/session.h"
 #include "host/sdk/inside_plugin.h"
 #include "host/window/window.h"
 
@@ -185,6 +186,11 @@ int run(int given, char** given_words) {
   return entry ? entry->second(command_line_of(argc, argv)) : exit_usage;
 }
 
+int cancelled() {
+  error("cancelled; nothing was written");
+  return exit_cancelled;
+}
+
 }  // namespace
 
 }  // namespace plinian::cli
@@ -199,18 +205,18 @@ int main(int argc, char** argv) {
   try {
     return cli::run(argc, argv);
   } catch (const RenderCancelled&) {
-    cli::error("cancelled; nothing was written");
-    return cli::exit_cancelled;
+    return cli::cancelled();
   } catch (const SceneLoadCancelled&) {
-    cli::error("cancelled; nothing was written");
+    return cli::cancelled();
+  } catch (const graph::EvaluationCancelled&) {
+    return cli::cancelled();
+  } catch (const graph::ScriptInterrupted& interrupted) {
+    cli::error(interrupted.what());
     return cli::exit_cancelled;
   } catch (const std::bad_alloc&) {
     cli::error("out of memory; a smaller --size, --resolution or map.resolution needs less");
   } catch (const std::exception& failure) {
-    if (cli::interrupted()) {  // Ctrl-C also ends helpers of ours, whose end is then an error
-      cli::error("cancelled; nothing was written");
-      return cli::exit_cancelled;
-    }
+    if (cli::interrupted()) return cli::cancelled();  // also ends helpers of ours, whose end is then an error
     cli::error(failure.what());
   }
   return cli::exit_failure;

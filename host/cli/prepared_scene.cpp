@@ -261,6 +261,7 @@ PreparedScene prepare_scene(const SceneArguments& arguments) {
   PreparedScene scene;
   scene.workspace = std::make_unique<scene::Workspace>();
   scene.workspace->session().on_warning = [](const std::string& line) { warn(line); };
+  scene.workspace->session().evaluator().set_interrupt(&interrupt_flag());
   if (is_scene(arguments.input))
     open_scene(scene, arguments);
   else

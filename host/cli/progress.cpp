@@ -15,11 +15,11 @@ namespace plinian::cli {
 
 namespace {
 
-std::atomic<bool> interrupt_flag{false};
+std::atomic<bool> raised{false};
 static_assert(std::atomic<bool>::is_always_lock_free);  // may be set by a signal handler
 
 void on_interrupt(int signal) {
-  interrupt_flag = true;
+  raised = true;
   std::signal(signal, SIG_DFL);
 }
 
@@ -38,7 +38,11 @@ void catch_interrupts() {
 }
 
 bool interrupted() {
-  return interrupt_flag;
+  return raised;
+}
+
+const std::atomic<bool>& interrupt_flag() {
+  return raised;
 }
 
 ProgressBar::ProgressBar(std::string label)

@@ -6,9 +6,11 @@
 #include <iostream>
 #include <iterator>
 #include <memory>
+#include <optional>
 
 #include "host/cli/command.h"
 #include "host/cli/console.h"
+#include "host/cli/progress.h"
 #include "host/cli/render_command.h"
 #include "host/graph/files/scene_reader.h"
 #include "host/graph/graph_error.h"
@@ -44,9 +46,21 @@ int run_run(const RunArguments& arguments) {
   graph::Session& session = workspace.session();
   session.on_warning = [](const std::string& line) { warn(line); };
   session.on_note = [](const std::string& line) { note(line); };
+  session.evaluator().set_interrupt(&interrupt_flag());
+  std::optional<ProgressBar> bar;  // of the computation that a command waits for
+  graph::Plug computed;
+  session.evaluator().on_progress = [&](const graph::Plug& plug, double share, std::string_view what) {
+    if (!bar || plug != computed) bar.emplace(session.graph().name_of(plug));
+    computed = plug;
+    if (!what.empty()) bar->set_detail(std::string(what));
+    (*bar)(share);
+  };
   add_render_command(workspace);
   if (!arguments.scenes.empty()) session.open_scene(arguments.scenes.front());
-  if (arguments.echo) session.on_echo = [](const std::string& line) { print("> " + line + "\n"); };
+  session.on_echo = [&](const std::string& line) {
+    bar.reset();
+    if (arguments.echo) print("> " + line + "\n");
+  };
   graph::run_script(session, text, arguments.script == "-" ? "standard input" : arguments.script,
                     [](const std::string& line) {
                       print(line + "\n");

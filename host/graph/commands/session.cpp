@@ -184,11 +184,21 @@ void run_script(Session& session, std::string_view text, const std::string& name
     const std::size_t length = std::min(text.find('\n'), text.size());
     const std::string_view line = text.substr(0, length);
     text.remove_prefix(std::min(length + 1, text.size()));
+    const std::string where = name + ":" + std::to_string(number) + ": ";
+    const auto check_interrupted = [&] {
+      if (session.evaluator().is_interrupted())
+        throw ScriptInterrupted(where + "cancelled here; what the lines before it did is done");
+    };
+    check_interrupted();
     try {
       for (const std::string& reply : session.execute(line))
         if (answer) answer(reply);
+    } catch (const EvaluationCancelled&) {
+      check_interrupted();
+      throw;
     } catch (const std::exception& error) {
-      throw GraphError(name + ":" + std::to_string(number) + ": " + error.what());
+      check_interrupted();  // also ends helpers of ours, whose end is then an error
+      throw GraphError(where + error.what());
     }
   }
 }

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -98,7 +99,13 @@ class Session {
   int depth_ = 0;  // of commands that run commands
 };
 
-/// Runs the lines of a script. name: of the file, for errors. Throws GraphError that names file and line.
+/// A script that an interrupt (Evaluator::set_interrupt) has ended; names file and line.
+struct ScriptInterrupted : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Runs the lines of a script. name: of the file, for errors. Throws GraphError that names file and line, and
+/// ScriptInterrupted.
 /// answer: is given the lines that commands answer with.
 void run_script(Session& session, std::string_view text, const std::string& name,
                 const std::function<void(const std::string&)>& answer);

@@ -151,10 +151,18 @@ EvaluationServices Evaluator::services() {
   return {.cache = &cache_, .one_at_a_time = &one_at_a_time_, .folder = folder_};
 }
 
+// Of what is computed on the thread that asks for it.
+EvaluationServices Evaluator::services_here() {
+  EvaluationServices services = this->services();
+  services.cancelled = interrupt_;
+  services.progress = on_progress;
+  return services;
+}
+
 ResultPtr Evaluator::evaluate(const Plug& plug) {
   const OutputState* ready = plug.component < 0 ? state(plug) : nullptr;
   if (ready && ready->clean && ready->result->has_value) return ready->result;
-  EvaluationServices services = this->services();
+  EvaluationServices services = services_here();
   services.known = [this](const Plug& wanted) -> ResultPtr {
     const OutputState* known = state(wanted);
     return known && known->clean ? known->result : nullptr;
@@ -169,7 +177,7 @@ ResultPtr Evaluator::evaluate(const Plug& plug) {
 
 ResultPtr Evaluator::evaluate_at(double frames, const Plug& plug) {
   if (frames == time_) return evaluate(plug);
-  EvaluationServices services = this->services();
+  EvaluationServices services = services_here();
   services.known = [this](const Plug& wanted) -> ResultPtr {
     const OutputState* known = state(wanted);
     return known && known->clean && !known->result->time_dependent ? known->result : nullptr;
@@ -265,7 +273,9 @@ void Evaluator::forget() {
 
 std::vector<std::string> Evaluator::check(const Plug& plug) {
   evaluate(plug);
-  Evaluation anew(graph_.snapshot(), time_, {.one_at_a_time = &one_at_a_time_, .folder = folder_});
+  EvaluationServices services = services_here();
+  services.cache = nullptr;
+  Evaluation anew(graph_.snapshot(), time_, services);
   anew.evaluate(plug);
   const auto differs = [&](const Plug& output, const ResultPtr& fresh) {
     const OutputState* known = state(output);

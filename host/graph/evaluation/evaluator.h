@@ -33,10 +33,17 @@ class Evaluator : private GraphObserver {
   /// The folder that relative paths are relative to; a change of it makes everything dirty.
   void set_folder(const std::string& folder);
 
-  /// The value of a plug, computed now where it is dirty.
+  /// A flag that stops what is computed here and now, as from a signal's handler; null: none. It must outlive
+  /// the evaluator.
+  void set_interrupt(const std::atomic<bool>* interrupt) { interrupt_ = interrupt; }
+  bool is_interrupted() const { return interrupt_ && interrupt_->load(std::memory_order_relaxed); }
+
+  /// The value of a plug, computed now where it is dirty. Throws EvaluationCancelled after an interrupt.
   ResultPtr evaluate(const Plug& plug);
   /// As at another time; nothing of it becomes the current state.
   ResultPtr evaluate_at(double frames, const Plug& plug);
+  /// Hears how far what evaluate() computes has come.
+  std::function<void(const Plug&, double fraction, std::string_view what)> on_progress;
 
   /// What a request came to. results: of the plugs, in order; empty where it was cancelled.
   struct Outcome {
@@ -133,12 +140,14 @@ class Evaluator : private GraphObserver {
   void count(const EvaluationCounters& counters);
   void tell_undeclared(const std::map<Plug, std::set<Plug>>& reads);
   EvaluationServices services();
+  EvaluationServices services_here();
   void cover(Request& request);
   void end(const RequestPtr& request);
   void work();
 
   const Graph& graph_;
   double time_ = 1.0;
+  const std::atomic<bool>* interrupt_ = nullptr;
   std::string folder_;
   ValueCache cache_;
   std::vector<OutputState> states_;       // of a node one after the other: what is dirtied lies together

@@ -17,7 +17,7 @@ class Crash : public Program {
   Ended script(const std::string& text, const std::string& part = "") {
     std::ofstream(folder_ / "a.pln") << text;
     RunOptions options;
-    options.environment = {{"PLINIAN_PLUGIN_PATH", PLINIAN_CRASH_PLUGIN},
+    options.environment = {{"PLINIAN_PLUGIN_PATH", PLINIAN_TEST_PLUGINS},
                            {"XDG_STATE_HOME", (folder_ / "state")},
                            {"PLINIAN_TEST_CRASH", part}};
     return run({"run", "a.pln"}, options);
@@ -58,7 +58,7 @@ TEST_F(Crash, WhileBeingLoadedIsToldOfNextTimeAndNotTriedAgain) {
                  "segmentation fault (SIGSEGV) in the plug-in 'crash' while " + doing);
     // A scene that needs it opens without, and says why.
     std::ofstream(folder_ / "a.plinian") << "plinian scene 1.0\nrequires crash 1.0\nnode crash c\nend\n";
-    const std::string path = std::string(PLINIAN_CRASH_PLUGIN) + "/crash.so";
+    const std::string path = std::string(PLINIAN_TEST_PLUGINS) + "/crash.so";
     Ended next = script("open a.plinian\nls -type crash\n");
     EXPECT_EQ(next.code, 0) << next.err;
     EXPECT_EQ(next.err.find("warning: " + path +
@@ -75,7 +75,7 @@ TEST_F(Crash, WhileBeingLoadedIsToldOfNextTimeAndNotTriedAgain) {
 
 TEST_F(Crash, APluginThatWasBuiltAgainIsTriedAgain) {
   const std::string own = folder_ / "crash.so";
-  std::filesystem::copy_file(std::string(PLINIAN_CRASH_PLUGIN) + "/crash.so", own);
+  std::filesystem::copy_file(std::string(PLINIAN_TEST_PLUGINS) + "/crash.so", own);
   const auto load = [&](const std::string& part) {
     std::ofstream(folder_ / "a.pln") << "loadPlugin crash\n";
     RunOptions options;

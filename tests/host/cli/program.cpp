@@ -56,14 +56,14 @@ Ended plinian_program(const std::vector<std::string>& arguments, const RunOption
   int left = 2;
   while (left > 0) {
     poll(pipes, 2, 20);
-    if (!counting && ended.err.find(options.signal_after_text) != std::string::npos) {
+    if (!counting && (ended.err + ended.out).find(options.signal_after_text) != std::string::npos) {
       start = std::chrono::steady_clock::now();
       counting = true;
     }
     if (counting && !signalled &&
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() >
             options.signal_after_s) {
-      kill(child, SIGINT);
+      kill(child, options.signal);
       signalled = true;
     }
     for (int i = 0; i < 2; ++i) {

@@ -21,8 +21,9 @@ struct RunOptions {
   std::string folder = ".";                                           // to run in
   std::vector<std::pair<std::string, std::string>> environment = {};  // beside what there is
   unsigned user = 0;              // to run as, where the test runs as the superuser; 0: as the test does
-  double signal_after_s = 0.0;    // sends SIGINT so long after the start; 0: never
-  std::string signal_after_text;  // ... or so long after this was said on standard error
+  int signal = SIGINT;            // that is sent
+  double signal_after_s = 0.0;    // so long after the start; 0: never
+  std::string signal_after_text;  // ... or so long after this was said
 };
 
 /// Runs `plinian` with the arguments. Its user presets are looked for in an empty place unless the
