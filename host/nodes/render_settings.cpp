@@ -52,6 +52,7 @@ sdk::AttributeSpec quality_set(const std::string& name, const std::string& help,
 void add_render_settings(sdk::Plugin& plugin) {
   sdk::NodeType type("renderSettings");
   type.help = "How good a picture is to be, and how large. There is one of it in a scene.";
+  type.unique = true;
   for (const char* side : {"width", "height"})
     type.add({.name = side,
               .type = "int",

@@ -12,6 +12,7 @@ void add_time(sdk::Plugin& plugin) {
   sdk::NodeType type("time");
   type.help = "The current time. There is one of it in a scene; what it drives changes from frame to frame.";
   type.time_source = true;
+  type.unique = true;
   type.add({.name = "rate",
             .type = "double",
             .default_value = "24",

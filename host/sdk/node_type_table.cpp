@@ -105,6 +105,7 @@ graph::NodeTypeSpec node_type_from(const PlinianNodeType* plain, const std::shar
   spec.hierarchical = from.flags & PLINIAN_NODE_HIERARCHICAL;
   spec.holds_children = from.flags & PLINIAN_NODE_HOLDS_CHILDREN;
   spec.follows = from.flags & PLINIAN_NODE_FOLLOWS;
+  spec.unique = from.flags & PLINIAN_NODE_UNIQUE;
   spec.time_source = from.flags & PLINIAN_NODE_TIME_SOURCE;
   for (const PlinianAttribute& attribute : all_of(from.attributes, from.attribute_count))
     spec.attributes.push_back(attribute_from(attribute));

@@ -142,6 +142,8 @@ void Session::take_scene(const std::string& file, const std::string& scene_path,
 std::vector<NodeId> Session::import_scene(const std::string& path, const std::string& name_space) {
   const SceneReport report = read_scene(read_text_file(path), path, types_, editor_, name_space);
   for (const std::string& warning : report.warnings) warn(warning);
+  for (const std::string& own : names_of(graph_, report.shared))
+    note(path + ": " + own + " stays as it is here");
   return report.nodes;
 }
 

@@ -47,7 +47,7 @@ StoredAttributes overlaid(const StoredAttributes& section, const StoredAttribute
 NodeReader::NodeReader(NodeTypePtr type, const TypeSection& section, bool newer)
     : type_(std::move(type)), section_(section), newer_(newer) {
   if (type_->is_unknown()) {
-    for (const SceneLine& line : section_.lines) unknown_lines_.push_back(line.text);
+    for (const SceneLine& line : section_.lines) unknown_lines_.emplace_back(line.text);
     return;
   }
   Node model;
@@ -64,7 +64,7 @@ NodeReader::NodeReader(NodeTypePtr type, const TypeSection& section, bool newer)
       if (value != attribute.spec.default_value) other_defaults_.emplace_back(plug.attribute, value);
     } catch (const GraphError&) {
       // From an older version a migrator may make something of it; from a newer one it is kept.
-      if (section_.version >= type_->version()) unknown_lines_.push_back(line.text);
+      if (section_.version >= type_->version()) unknown_lines_.emplace_back(line.text);
     }
   }
 }
@@ -90,17 +90,17 @@ NodeText NodeReader::read(const std::vector<SceneLine>& lines, const WarnLine& w
   for (const SceneLine& line : lines) {
     if (split_attribute(line.text, path, rest)) {
       if (is_connection(rest)) {
-        result.links.connections.push_back({path, rest.substr(3), line});
-        if (type_->is_unknown()) node.kept.push_back({line.text, path, {}, rest.substr(3)});
+        result.links.connections.push_back({path, rest.substr(3), std::string(line.text), line.number});
+        if (type_->is_unknown()) node.kept.push_back({std::string(line.text), path, {}, rest.substr(3)});
       } else if (type_->is_unknown()) {
-        node.kept.push_back({line.text});
+        node.kept.push_back({std::string(line.text)});
       } else if (line_of.emplace(path, line).second) {
         stored.push_back({path, rest});
       }
       continue;
     }
     if (type_->is_unknown()) {
-      node.kept.push_back({line.text});
+      node.kept.push_back({std::string(line.text)});
       continue;
     }
     try {
@@ -111,9 +111,9 @@ NodeText NodeReader::read(const std::vector<SceneLine>& lines, const WarnLine& w
         AttributeSpec spec = read_declaration(std::span(words).subspan(1), added_path);
         add_declaration(added, added_path, std::move(spec));
       } else if (words[0].text == "lock" && words.size() == 2 && words[1].text.starts_with('.')) {
-        result.links.locks.push_back({words[1].text.substr(1), "", line});
+        result.links.locks.push_back({words[1].text.substr(1), "", std::string(line.text), line.number});
       } else if (newer_) {
-        node.kept.push_back({line.text});
+        node.kept.push_back({std::string(line.text)});
       } else {
         throw GraphError("is no line of a node: " + shown(line.text));
       }
@@ -144,15 +144,17 @@ NodeText NodeReader::read(const std::vector<SceneLine>& lines, const WarnLine& w
   std::map<std::pair<AttributeIndex, std::int32_t>, Value> values;
   for (const StoredAttribute& attribute : stored) {
     const auto source = line_of.find(attribute.path);
-    const SceneLine line = source == line_of.end()
-                               ? SceneLine{"  ." + attribute.path + " " + attribute.text, 0}
-                               : source->second;
+    // What a migrator made stands in no line.
+    std::string made;
+    if (source == line_of.end()) made = "  ." + attribute.path + " " + attribute.text;
+    const SceneLine line = source == line_of.end() ? SceneLine{made, 0} : source->second;
     try {
       const Plug plug = Graph::plug(node, attribute.path);
       const SchemaAttribute& found = (*node.schema)[plug.attribute];
       if (found.array != no_attribute && plug.element < 0) continue;  // default of an element
       if (found.spec.type == AttributeType::node) {
-        result.links.references.push_back({attribute.path, attribute.text, line});
+        result.links.references.push_back(
+            {attribute.path, attribute.text, std::string(line.text), line.number});
         continue;
       }
       bool clamped = false;
@@ -165,7 +167,7 @@ NodeText NodeReader::read(const std::vector<SceneLine>& lines, const WarnLine& w
     } catch (const GraphError& error) {
       if (source == line_of.end() && migrates) continue;  // a default of an attribute that is no more
       warn(line.number, std::string(error.what()) + "; the line is kept as it is");
-      node.kept.push_back({line.text});
+      node.kept.push_back({std::string(line.text)});
     }
   }
   if (!migrates)
@@ -196,8 +198,8 @@ void finish_node(Editor& editor, NodeId id, const NodeLinks& links,
   const std::size_t kept_before = kept.size();
   bool resolved = false;
   const auto keep = [&](const NodeLinks::Link& link, const std::string& why) {
-    warn(link.line.number, why + "; the line is kept as it is");
-    kept.push_back({link.line.text});
+    warn(link.number, why + "; the line is kept as it is");
+    kept.push_back({link.line});
   };
   for (const auto& reference : links.references) {
     try {
@@ -217,7 +219,7 @@ void finish_node(Editor& editor, NodeId id, const NodeLinks& links,
     if (graph.find(id)->type->is_unknown()) {
       // Kept at its place; only the name of the source is looked up, so that it follows a new name.
       for (KeptLine& line : kept)
-        if (source && line.text == connection.line.text && line.path == connection.path && !line.source) {
+        if (source && line.text == connection.line && line.path == connection.path && !line.source) {
           line.source = source;
           line.source_path = source_path;
           resolved = true;

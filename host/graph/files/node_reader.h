@@ -19,7 +19,8 @@ struct NodeLinks {
   struct Link {
     std::string path;  // of the attribute
     std::string text;  // reference: the name; connection: NODE.ATTRIBUTE
-    SceneLine line;
+    std::string line;  // as it stands in the scene
+    int number;        // of it
   };
   std::vector<Link> references, connections, locks;
 };
@@ -35,6 +36,7 @@ class NodeReader {
  public:
   /// section: the scene's section of the type; newer: the scene is of a newer version, so that lines unknown
   /// here are kept instead of refused.
+  /// What the section looks into must outlive the reader.
   NodeReader(NodeTypePtr type, const TypeSection& section, bool newer);
 
   /// Throws GraphError, without the line's place, through `fail_at`, for what no scene holds.

@@ -1,6 +1,7 @@
 // Reads scenes: first all nodes, then what refers to them.
 #include "host/graph/files/scene_reader.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -31,20 +32,14 @@ class SceneReader {
 
   SceneReport read(const SceneSections& scene) {
     const History::Scope scope(editor_.history(), "open");
+    for (const Node* node : editor_.graph().nodes())
+      if (node->type->spec().unique) own_.emplace(node->type.get(), node->id);
     greet(scene);
     prepare_types(scene);
-    links_.reserve(scene.nodes.size());
     report_.nodes.reserve(scene.nodes.size());
     by_name_.reserve(scene.nodes.size());
     for (const NodeSection& section : scene.nodes) add_node(section, scene.is_newer());
-    for (std::size_t i = 0; i < scene.nodes.size(); ++i) place(scene.nodes[i], report_.nodes[i]);
-    const auto node_of = [this](std::string_view name) {
-      const auto found = by_name_.find(std::string(name));
-      return found == by_name_.end() ? NodeId() : found->second;
-    };
-    const WarnLine warn = [this](int line, const std::string& message) { add_warning(line, message); };
-    for (std::size_t i = 0; i < links_.size(); ++i)
-      finish_node(editor_, report_.nodes[i], links_[i], node_of, warn);
+    for (const Waiting& node : waiting_) finish(node);
     count_unknown();
     if (hidden_warnings_ > 0)
       report_.warnings.push_back(name_ + ": and " + std::to_string(hidden_warnings_) + " more warnings");
@@ -73,7 +68,7 @@ class SceneReader {
     }
     if (scene.unknown.empty()) return;
     KeptType kept;
-    for (const SceneLine& line : scene.unknown) kept.lines.push_back(line.text);
+    for (const SceneLine& line : scene.unknown) kept.lines.emplace_back(line.text);
     editor_.set_kept_type("", kept);
   }
 
@@ -113,13 +108,17 @@ class SceneReader {
 
   void add_node(const NodeSection& section, bool newer) {
     if (by_name_.contains(section.name)) fail(section.line, "the node '" + section.name + "' is there twice");
+    const NodeReader& reader = reader_of(section, newer);
+    if (const auto own = own_.find(reader.type().get()); own != own_.end()) {
+      by_name_.emplace(section.name, own->second);
+      report_.shared.push_back(own->second);
+      return;
+    }
     const WarnLine warn = [&](int line, const std::string& message) {
       add_warning(line ? line : section.line, "node '" + section.name + "': " + message);
     };
-    NodeText text =
-        reader_of(section, newer).read(section.lines, warn, [this](int line, const std::string& message) {
-          fail(line, message);
-        });
+    NodeText text = reader.read(section.lines, warn,
+                                [this](int line, const std::string& message) { fail(line, message); });
     if (const auto spelled_out = spelled_out_.find(section.type); spelled_out != spelled_out_.end())
       spell_out(*spelled_out->second, text.node);
     Node node = std::move(text.node);
@@ -127,12 +126,17 @@ class SceneReader {
     const NodeId id = editor_.add_node(std::move(node));
     by_name_.emplace(section.name, id);
     report_.nodes.push_back(id);
-    links_.push_back(std::move(text.links));
+    Waiting waiting{&section, id, std::move(text.links)};
+    // Most refer to nodes before them: at once, while the node is at hand, costs less than a second round.
+    if (are_known(waiting))
+      finish(waiting);
+    else
+      waiting_.push_back(std::move(waiting));
   }
 
   // Gives a node of an unknown type the defaults that its scene leaves to the type's section.
   static void spell_out(const TypeSection& section, Node& node) {
-    const auto path_of = [](const std::string& line) {
+    const auto path_of = [](std::string_view line) {
       const std::size_t begin = line.find('.'), end = line.find(' ', begin);
       return begin == line.npos ? line : line.substr(begin, end - begin);
     };
@@ -140,9 +144,37 @@ class SceneReader {
     for (const SceneLine& line : section.lines) {
       bool there = false;
       for (const KeptLine& kept : node.kept) there = there || path_of(kept.text) == path_of(line.text);
-      if (!there) missing.push_back({line.text});
+      if (!there) missing.push_back({std::string(line.text)});
     }
     node.kept.insert(node.kept.begin(), missing.begin(), missing.end());
+  }
+
+  // A node whose parent and sources are yet to come.
+  struct Waiting {
+    const NodeSection* section;
+    NodeId id;
+    NodeLinks links;
+  };
+
+  NodeId node_of(std::string_view name) const {
+    const auto found = by_name_.find(name);
+    return found == by_name_.end() ? NodeId() : found->second;
+  }
+
+  bool are_known(const Waiting& node) const {
+    const auto known = [this](const NodeLinks::Link& link) -> bool {
+      return bool(node_of(std::string_view(link.text).substr(0, link.text.find('.'))));
+    };
+    return (node.section->parent.empty() || node_of(node.section->parent)) &&
+           std::ranges::all_of(node.links.references, known) &&
+           std::ranges::all_of(node.links.connections, known);
+  }
+
+  void finish(const Waiting& node) {
+    place(*node.section, node.id);
+    finish_node(
+        editor_, node.id, node.links, [this](std::string_view name) { return node_of(name); },
+        [this](int line, const std::string& message) { add_warning(line, message); });
   }
 
   void place(const NodeSection& section, NodeId id) {
@@ -176,11 +208,12 @@ class SceneReader {
   const TypeRegistry& registry_;
   Editor& editor_;
   const std::string prefix_;
+  std::map<const NodeType*, NodeId> own_;  // of unique types, before the scene was read
   SceneReport report_;
   std::map<std::string, NodeReader> readers_;
   std::map<std::string, const TypeSection*> spelled_out_;
-  std::unordered_map<std::string, NodeId> by_name_;
-  std::vector<NodeLinks> links_;
+  std::unordered_map<std::string_view, NodeId> by_name_;
+  std::vector<Waiting> waiting_;
   std::size_t hidden_warnings_ = 0;
 };
 

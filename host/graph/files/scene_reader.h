@@ -17,6 +17,7 @@ struct SceneReport {
   std::vector<std::string> warnings;  // one line each
   bool read_only = false;             // made by a newer major version: must not be saved over
   std::vector<NodeId> nodes;          // that were read, in the order of the file
+  std::vector<NodeId> shared;         // that were there and are shared: of their types a scene has one
 };
 
 /// Adds the nodes of a scene to the graph as one step of undo. name: the file's, for messages; name_space:

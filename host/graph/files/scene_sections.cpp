@@ -53,7 +53,7 @@ SceneSections read_sections(std::string_view text, const std::string& name) {
     if (line.find('\0') != line.npos) fail("the line holds a zero byte: the file is damaged");
     if (line.starts_with(' ')) {
       if (!section) fail("the line belongs to no node: " + shown(line));
-      section->push_back({std::string(line), number});
+      section->push_back({line, number});
       continue;
     }
     std::vector<Word> words;
@@ -67,7 +67,7 @@ SceneSections read_sections(std::string_view text, const std::string& name) {
     if (kind == "end" && words.size() == 1) {
       ended = true;
     } else if (kind == "requires" && words.size() >= 2) {
-      scene.requirements.push_back({std::string(line), number});
+      scene.requirements.push_back({line, number});
       section = nullptr;
     } else if (kind == "node" && (words.size() == 3 || (words.size() == 5 && words[3].text == "under"))) {
       if (!is_identifier(words[1].text)) fail(shown(words[1].text) + " cannot be a node type");
@@ -86,7 +86,7 @@ SceneSections read_sections(std::string_view text, const std::string& name) {
       scene.types.push_back(std::move(type));
       section = &scene.types.back().lines;
     } else if (scene.is_newer()) {
-      scene.unknown.push_back({std::string(line), number});
+      scene.unknown.push_back({line, number});
       section = &scene.unknown;  // and what stands under it
     } else {
       fail("is no line of a scene: " + shown(line));

@@ -7,9 +7,10 @@
 
 namespace plinian::graph {
 
+/// Looks into the text that the sections were cut from.
 struct SceneLine {
-  std::string text;  // with its indentation
-  int number = 0;    // from 1
+  std::string_view text;  // with its indentation
+  int number = 0;         // from 1
 };
 
 struct NodeSection {
@@ -36,8 +37,9 @@ struct SceneSections {
   bool is_newer() const;
 };
 
-/// Cuts a scene into its sections. name: of the file, for errors. Throws GraphError, with name and line, for
-/// a text that is no scene, was cut off, or has a line that a scene of its version has not.
+/// Cuts a scene into its sections, which hold no longer than `text`. name: of the file, for errors. Throws
+/// GraphError, with name and line, for a text that is no scene, was cut off, or has a line that a scene of
+/// its version has not.
 SceneSections read_sections(std::string_view text, const std::string& name);
 
 }  // namespace plinian::graph

@@ -9,6 +9,12 @@ namespace plinian::graph {
 
 namespace {
 
+std::vector<SceneLine> lines_of(const std::vector<std::string>& texts) {
+  std::vector<SceneLine> lines;
+  for (const std::string& text : texts) lines.push_back({text, 0});
+  return lines;
+}
+
 std::vector<NodeId> nodes_of(const Graph& graph, const std::string& type, bool unknown) {
   std::vector<NodeId> result;
   for (const Node* node : graph.nodes())
@@ -24,10 +30,11 @@ std::vector<std::string> revive_nodes(Editor& editor, const NodeTypePtr& type) {
   std::vector<std::string> warnings;
   if (nodes.empty()) return warnings;
   TypeSection section{type->name(), type->version()};
-  const auto found = graph.kept_types().find(type->name());
-  if (found != graph.kept_types().end()) {
-    section.version = found->second.version;
-    for (const std::string& line : found->second.lines) section.lines.push_back({line, 0});
+  KeptType before;
+  if (const auto found = graph.kept_types().find(type->name()); found != graph.kept_types().end()) {
+    before = found->second;
+    section.version = before.version;
+    section.lines = lines_of(before.lines);
   }
   const NodeReader reader(type, section, true);
   editor.set_kept_type(type->name(), reader.keeps_anything() ? std::optional(reader.kept()) : std::nullopt);
@@ -43,8 +50,8 @@ std::vector<std::string> revive_nodes(Editor& editor, const NodeTypePtr& type) {
   for (const NodeId id : nodes) {
     const Node& old = *graph.find(id);
     current = old.name;
-    std::vector<SceneLine> lines;
-    for (const std::string& line : node_lines(graph, old)) lines.push_back({line, 0});
+    const std::vector<std::string> texts = node_lines(graph, old);
+    const std::vector<SceneLine> lines = lines_of(texts);
     NodeText text = reader.read(lines, warn, [&](int, const std::string& message) { warn(0, message); });
     Node node = std::move(text.node);
     node.id = old.id;
@@ -65,10 +72,9 @@ std::vector<std::string> revive_nodes(Editor& editor, const NodeTypePtr& type) {
     for (const KeptLine& kept : node->kept) {
       const Node* source = kept.source ? graph.find(kept.source) : nullptr;
       if (source && !source->type->is_unknown())
-        waiting.connections.push_back(
-            {kept.path,
-             source->name + "." + kept.source_path,
-             {"  ." + kept.path + " <- " + source->name + "." + kept.source_path, 0}});
+        waiting.connections.push_back({kept.path, source->name + "." + kept.source_path,
+                                       "  ." + kept.path + " <- " + source->name + "." + kept.source_path,
+                                       0});
       else
         rest.push_back(kept);
     }
@@ -111,8 +117,8 @@ void forget_type(Editor& editor, const NodeTypePtr& type) {
     copy.parent = node.parent;
     copy.type = unknown;
     copy.schema = unknown->schema();
-    std::vector<SceneLine> lines;
-    for (const std::string& line : node_lines(graph, node)) lines.push_back({line, 0});
+    const std::vector<std::string> texts = node_lines(graph, node);
+    const std::vector<SceneLine> lines = lines_of(texts);
     const NodeReader reader(unknown, TypeSection{type->name()}, true);
     NodeText text = reader.read(
         lines, [](int, const std::string&) {}, [](int, const std::string&) {});

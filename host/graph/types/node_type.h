@@ -44,6 +44,7 @@ struct NodeTypeSpec {
   bool time_source = false;     // tells the current time; everything downstream depends on it
   bool hierarchical = false;    // has a place in the transform hierarchy
   bool holds_children = false;  // ... and may be a parent in it
+  bool unique = false;          // a scene has one: what is imported shares it instead of bringing its own
   bool follows = false;         // deleted with the last node that it drives, as an animation curve is
   std::vector<Migrator> migrators;
   std::vector<AttributeAlias> aliases;

@@ -127,6 +127,7 @@ typedef struct PlinianNodeType {
 #define PLINIAN_NODE_HOLDS_CHILDREN 4u /* ... and may be a parent in it */
 #define PLINIAN_NODE_FOLLOWS 8u        /* deleted with the last node that it drives */
 #define PLINIAN_NODE_TIME_SOURCE 16u   /* tells the current time; what it drives depends on it (since 1.1) */
+#define PLINIAN_NODE_UNIQUE 32u        /* a scene has one: what is imported shares it (since 1.1) */
 
 #ifdef __cplusplus
 }

@@ -72,6 +72,7 @@ struct NodeType {
   std::string name, help, aliases;  // aliases: "old=new older=new"
   int version = 1;
   bool concurrent = true, hierarchical = false, holds_children = false, follows = false;
+  bool unique = false;       // a scene has one: what is imported shares it instead of bringing its own
   bool time_source = false;  // its compute function may ask for the time
   std::vector<AttributeSpec> attributes;
   std::function<void(Context&, Attribute output)> compute;
@@ -145,7 +146,7 @@ inline int register_type(const PlinianHost& host, NodeType& type) {
   plain.flags = (type.concurrent ? 0u : PLINIAN_NODE_NOT_CONCURRENT) |
                 (type.hierarchical ? PLINIAN_NODE_HIERARCHICAL : 0u) |
                 (type.holds_children ? PLINIAN_NODE_HOLDS_CHILDREN : 0u) |
-                (type.follows ? PLINIAN_NODE_FOLLOWS : 0u) |
+                (type.follows ? PLINIAN_NODE_FOLLOWS : 0u) | (type.unique ? PLINIAN_NODE_UNIQUE : 0u) |
                 (type.time_source ? PLINIAN_NODE_TIME_SOURCE : 0u);
   plain.attributes = attributes.data();
   plain.attribute_count = attributes.size();

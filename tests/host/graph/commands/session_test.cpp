@@ -98,6 +98,18 @@ TEST(Session, DuplicatesParentsRenamesLocksAndAddsAttributes) {
   EXPECT_EQ(s.run("setAttr leaf2.heat 9\nresetAttr leaf2.heat\ngetAttr leaf2.heat"), "4");
 }
 
+TEST(Session, WhatIsImportedSharesTheNodesOfWhichASceneHasOne) {
+  const TemporaryFolder folder;
+  TestSession s;
+  const std::string file = folder / "a.pln";
+  s.run("createNode sum -name x\nconnectAttr time1.out x.a\nsave \"" + file + "\"");
+  std::vector<std::string> notes;
+  s.on_note = [&](const std::string& line) { notes.push_back(line); };
+  EXPECT_EQ(s.run("import -namespace lib \"" + file + "\"\nls"), "lib:x\ntime1\nx\nlib:x");
+  EXPECT_EQ(notes, std::vector<std::string>{file + ": time1 stays as it is here"});
+  EXPECT_EQ(s.run("listConnections lib:x"), "time1.out -> lib:x.a");
+}
+
 TEST(Session, SavesOpensImportsAndExports) {
   const TemporaryFolder folder;
   TestSession s;

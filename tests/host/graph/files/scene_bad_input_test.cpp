@@ -44,7 +44,7 @@ TEST(SceneBadInput, EachMistakeHasItsLine) {
   EXPECT_EQ(refusal("plinian scene 1.0\nsystem\nend\n"), "a.pln:2: is no line of a scene: 'system'");
   EXPECT_EQ(refusal("plinian scene 1.0\nnode shape a under b\nend\n"), "a.pln:2: there is no node 'b'");
   EXPECT_EQ(refusal("plinian scene 1.0\nnode group a under b\nnode group b under a\nend\n"),
-            "a.pln:3: b cannot be under itself: b -> a");
+            "a.pln:2: a cannot be under itself: a -> b");
   EXPECT_EQ(refusal("plinian scene 1.0\nnode sum s\n"),
             "a.pln: ends too early, after line 2: the file was cut off");
 }
