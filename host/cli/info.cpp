@@ -194,6 +194,7 @@ int run_info(const InfoArguments& arguments) {
     print_image(arguments.file, read_image(arguments.file), arguments.json);
     return exit_success;
   }
+  refuse_script(arguments.file);
   if (extension == ".plinian") {
     print(scene_info(arguments.file, arguments.json));
     return exit_success;

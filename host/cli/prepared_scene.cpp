@@ -256,6 +256,7 @@ SceneSnapshot take_snapshot(PreparedScene& scene) {
 
 PreparedScene prepare_scene(const SceneArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
+  refuse_script(arguments.input);
   if (!arguments.save_as.empty() && !is_scene(arguments.save_as))
     throw std::runtime_error(arguments.save_as + ": the name of a scene ends in .plinian");
   PreparedScene scene;

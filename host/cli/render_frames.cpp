@@ -82,6 +82,10 @@ int run_frames(const RenderArguments& arguments, const std::string& command_line
   const std::vector<FramePattern> patterns = outputs_of(arguments);
   const WriteOptions writing = write_options(arguments);
   for (const FramePattern& pattern : patterns) check_output(pattern.path(range.first), writing);
+  for (std::size_t i = 0; i < arguments.outputs.size(); ++i)
+    if (!FramePattern::parse(arguments.outputs[i]))
+      note(fmt::format("{}: frames are numbered, from {} on", arguments.outputs[i],
+                       patterns[i].path(range.first)));
 
   PreparedScene scene = prepare_scene(arguments.scene);
   // Nobody scrubs back: frames that are done need not stay in memory.

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "core/image/contact_sheet.h"
 #include "host/cli/command.h"
@@ -33,6 +34,18 @@ Variation parse_variation(const std::string& text) {
   return variation;
 }
 
+// Refuses a value before pictures are made that a later one would throw away.
+void check_values(PreparedScene& scene, const std::vector<Variation>& variations) {
+  graph::Session& session = scene.workspace->session();
+  const auto on_warning = std::exchange(session.on_warning, nullptr);  // they come with the pictures
+  graph::History::Scope check(session.history(), "check");
+  for (const Variation& variation : variations)
+    for (const std::string& value : variation.values)
+      apply_edit(*scene.workspace, {variation.key, value, "--vary " + variation.key});
+  check.roll_back();
+  session.on_warning = on_warning;
+}
+
 }  // namespace
 
 int run_variants(const RenderArguments& arguments) {
@@ -51,6 +64,7 @@ int run_variants(const RenderArguments& arguments) {
 
   PreparedScene scene = prepare_scene(arguments.scene);
   tell_shown_frames(scene);
+  check_values(scene, variations);
   NamedRenderer chosen = choose_renderer(arguments.renderer, {.reference_tolerance = arguments.tolerance});
   const ViewTransform view(writing.view);
   std::vector<SheetPicture> pictures;

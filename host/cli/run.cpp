@@ -1,4 +1,5 @@
 // plinian run: a script of commands, as the console of a window would take them.
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -42,6 +43,11 @@ std::string text_of(const std::string& script) {
 int run_run(const RunArguments& arguments) {
   set_quiet(arguments.quiet);
   const std::string text = text_of(arguments.script);
+  if (text.starts_with("plinian scene "))
+    throw std::runtime_error(
+        fmt::format("{0}: is a scene, not a script: 'plinian render {0}' makes a picture, "
+                    "'plinian run SCRIPT {0}' runs a script on it",
+                    arguments.script));
   scene::Workspace workspace;
   graph::Session& session = workspace.session();
   session.on_warning = [](const std::string& line) { warn(line); };

@@ -209,4 +209,9 @@ std::uint64_t parse_bytes(const std::string& text, const std::string& option) {
       fmt::format("{} {}: expected a number of bytes, such as 512M or 4G", option, text));
 }
 
+void refuse_script(const std::string& input) {
+  if (input.ends_with(".pln"))
+    throw std::runtime_error(fmt::format("{0}: is a script: 'plinian run {0}' runs it", input));
+}
+
 }  // namespace plinian::cli

@@ -1,4 +1,5 @@
 // import of volumes and of neutral scenes.
+#include "core/media/procedural.h"
 #include "core/scene/scene_file.h"
 #include "host/graph/graph_error.h"
 #include "host/scene/file_types.h"
@@ -12,7 +13,7 @@ graph::CommandResult import_input(graph::Session& session, const graph::Argument
   SceneDescription description = describe_input(arguments.text("file"));
   ImportOptions options;
   options.name_space = arguments.text("namespace");
-  options.media_only = volume;
+  options.media_only = volume && !arguments.has("setup");
   options.progress = session.on_progress;
   const ImportReport report = import_description(session, description, options);
   for (const std::string& line : report.notes) session.note(line);
@@ -28,6 +29,15 @@ void add_scene_importers(graph::Session& session) {
        .help = "A .vdb file, or a sequence of them: a volume with its medium.",
        .plugin = "",
        .extensions = {"vdb"},
+       .words = {},
+       .import_file = [](graph::Session& s, const graph::Arguments& a) { return import_input(s, a, true); },
+       .export_file = {}});
+  session.file_types().add(
+      {.name = "procedural medium",
+       .help = "A medium that is computed, by its name.",
+       .plugin = "",
+       .extensions = {},
+       .words = procedural_kinds(),
        .import_file = [](graph::Session& s, const graph::Arguments& a) { return import_input(s, a, true); },
        .export_file = {}});
   session.file_types().add(
@@ -35,6 +45,7 @@ void add_scene_importers(graph::Session& session) {
        .help = "A scene that other programs read and write as well.",
        .plugin = "",
        .extensions = {"json"},
+       .words = {},
        .import_file = [](graph::Session& s, const graph::Arguments& a) { return import_input(s, a, false); },
        .export_file = {}});
 }

@@ -18,12 +18,6 @@ using graph::Session;
 
 namespace {
 
-BuiltSnapshot built(Workspace& workspace) {
-  BuiltSnapshot result = build_snapshot(workspace.session(), workspace.view());
-  for (const std::string& problem : result.problems) workspace.session().warn(problem);
-  return result;
-}
-
 CommandResult quality(Workspace& workspace, const Arguments& arguments) {
   if (arguments.has("set")) {
     quality_of(workspace.session(), arguments.text("set"));  // refuses what is none
@@ -59,7 +53,7 @@ CommandResult frame_view(Workspace& workspace, const Arguments& arguments) {
       camera = session.graph().find(std::get<NodeId>(settings->value(settings->schema->find("camera"))));
     if (!camera) camera = first_of_type(session.graph(), "camera");
   }
-  if (!camera) throw GraphError("frameView: the scene has no camera");
+  if (!camera) throw GraphError("frameView: the scene has no camera: createNode camera makes one");
   view.camera = camera->id;
   const BuiltSnapshot now = build_snapshot(session, view);
   const SceneBounds bounds = scene_bounds(now.snapshot.media);
@@ -86,7 +80,12 @@ CommandResult frame_view(Workspace& workspace, const Arguments& arguments) {
 }
 
 CommandResult snapshot(Workspace& workspace) {
-  const SceneSnapshot s = built(workspace).snapshot;
+  const BuiltSnapshot built = build_snapshot(workspace.session(), workspace.view());
+  if (!built.problems.empty())
+    throw GraphError(
+        "snapshot: " + built.problems.front() +
+        (built.problems.size() > 1 ? fmt::format(" (and {} more)", built.problems.size() - 1) : ""));
+  const SceneSnapshot& s = built.snapshot;
   CommandResult lines = {fmt::format("hash {}", scene_hash_text(s)),
                          fmt::format("size {} {}", s.width, s.height),
                          fmt::format("quality {} {}", workspace.view().quality, s.quality.name)};

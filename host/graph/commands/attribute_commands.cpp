@@ -55,9 +55,25 @@ CommandResult set_attr(Session& session, const Arguments& arguments) {
   return {};
 }
 
+// What can be set on a node and written down.
+std::vector<Plug> inputs_with_text(const Graph& graph, const Node& node) {
+  std::vector<Plug> plugs;
+  const Schema& schema = *node.schema;
+  for (AttributeIndex i = 0; i < AttributeIndex(schema.size()); ++i) {
+    const AttributeSpec& spec = schema[i].spec;
+    if (spec.output || spec.hidden || spec.type == AttributeType::data ||
+        spec.type == AttributeType::compound)
+      continue;
+    for (const Plug& leaf : leaf_plugs(graph, {node.id, i})) plugs.push_back(leaf);
+  }
+  return plugs;
+}
+
 CommandResult get_attr(Session& session, const Arguments& arguments) {
   const Graph& graph = session.graph();
-  const Plug plug = graph.plug(arguments.text("plug"));
+  const std::string name = arguments.text("plug");
+  const Node* node = name.find('.') == name.npos && !arguments.has("lock") ? &graph.get(name) : nullptr;
+  const Plug plug = node ? Plug() : graph.plug(name);
   if (arguments.has("lock"))
     return {graph.find(plug.node)->is_locked(plug.attribute, plug.element) ? "true" : "false"};
   const auto time = arguments.number("time");
@@ -68,8 +84,8 @@ CommandResult get_attr(Session& session, const Arguments& arguments) {
       throw GraphError(graph.name_of(leaf) + ": " + session.evaluator().error_text(leaf, *result));
     return write_value(spec_of(graph, leaf), result->value, graph.names());
   };
-  const std::vector<Plug> leaves = leaf_plugs(graph, plug);
-  if (leaves.size() == 1 && leaves[0] == plug) return {read(plug)};
+  const std::vector<Plug> leaves = node ? inputs_with_text(graph, *node) : leaf_plugs(graph, plug);
+  if (!node && leaves.size() == 1 && leaves[0] == plug) return {read(plug)};
   CommandResult lines;
   for (const Plug& leaf : leaves)
     lines.push_back(Graph::path_of(*graph.find(leaf.node)->schema, leaf) + " " + read(leaf));
@@ -120,12 +136,14 @@ void add_attribute_commands(CommandRegistry& commands) {
                                {"value", value, "as the attribute spells it: 0.5, 1 0 0, ash, 35mm, \"text\"",
                                 false, true}},
                 .run = set_attr});
-  commands.add(
-      {.name = "getAttr",
-       .help = "Answers with the value of an attribute, evaluated where it is driven.",
-       .parameters = {{"plug", plug, "node.attribute; a compound or an array answers a line for each part"}},
-       .flags = {{"time", "at another frame", number}, {"lock", "whether it is locked instead", {}}},
-       .run = get_attr});
+  commands.add({.name = "getAttr",
+                .help = "Answers with the value of an attribute, evaluated where it is driven.",
+                .parameters = {{"plug", plug,
+                                "node.attribute, or a node for all that can be set on it; of a compound, an "
+                                "array or a node a line for "
+                                "each part"}},
+                .flags = {{"time", "at another frame", number}, {"lock", "whether it is locked instead", {}}},
+                .run = get_attr});
   commands.add({.name = "resetAttr",
                 .help = "Puts attributes back to their defaults; elements of arrays cease to exist.",
                 .parameters = {{"plugs", plug, "node.attribute", false, true}},

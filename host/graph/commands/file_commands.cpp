@@ -1,5 +1,6 @@
 // newScene, open, save, import, export.
 #include <filesystem>
+#include <set>
 
 #include "core/files/atomic_file.h"
 #include "host/graph/commands/session.h"
@@ -45,6 +46,24 @@ CommandResult import(Session& session, const Arguments& arguments) {
   return names_of(session.graph(), session.import_scene(arguments.text("file"), name_space));
 }
 
+// Nodes with the transforms above them, which say where they are, and where asked for with all that drives
+// them.
+std::vector<NodeId> exported_nodes(Session& session, const Arguments& arguments) {
+  const Graph& graph = session.graph();
+  std::vector<NodeId> all = nodes_or_selection(session, arguments.texts("nodes"));
+  std::set<NodeId> wanted(all.begin(), all.end());
+  const auto add = [&](NodeId id) {
+    if (id && wanted.insert(id).second) all.push_back(id);
+  };
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Node& node = *graph.find(all[i]);
+    add(node.parent);
+    if (!arguments.has("inputs")) continue;
+    for (const Input& input : node.inputs) add(input.source.node);
+  }
+  return all;
+}
+
 CommandResult export_nodes(Session& session, const Arguments& arguments) {
   if (const FileType* type = session.file_types().find(arguments.text("file"))) {
     if (!type->export_file)
@@ -53,7 +72,7 @@ CommandResult export_nodes(Session& session, const Arguments& arguments) {
   }
   try {
     const std::string file = arguments.text("file");
-    save_scene(file, write_scene(session.graph(), nodes_or_selection(session, arguments.texts("nodes")),
+    save_scene(file, write_scene(session.graph(), exported_nodes(session, arguments),
                                  std::filesystem::absolute(file).lexically_normal().parent_path()));
   } catch (const FileError& error) {
     throw GraphError(std::string("export: ") + error.what());
@@ -82,15 +101,22 @@ void add_file_commands(CommandRegistry& commands) {
                 .run = save});
   commands.add({.name = "import",
                 .help = "Adds what a file holds to the scene and answers with the names of its nodes.",
-                .parameters = {{"file", path, "scene file, or one of a type that a plug-in reads"}},
-                .flags = {{"namespace", "goes before their names, with a colon", text}},
+                .parameters = {{"file", path,
+                                "a scene, a volume or a sequence of them, a procedural medium such as ash, a "
+                                "camera, or a file of a type that a plug-in reads"}},
+                .flags = {{"namespace", "goes before their names, with a colon", text},
+                          {"setup",
+                           "of a volume: with a camera, lights and settings, as a picture of it alone has",
+                           {}}},
                 .run = import});
-  commands.add(
-      {.name = "export",
-       .help = "Writes nodes to a scene file of their own, or to a file of a type that a plug-in writes.",
-       .parameters = {{"file", path, "scene file"},
-                      {"nodes", node, "names or patterns; else the selection", true, true}},
-       .run = export_nodes});
+  commands.add({.name = "export",
+                .help = "Writes nodes, and the transforms above them, to a scene file of their own, or to a "
+                        "file of a type "
+                        "that a plug-in writes.",
+                .parameters = {{"file", path, "scene file"},
+                               {"nodes", node, "names or patterns; else the selection", true, true}},
+                .flags = {{"inputs", "with all that drives them", {}}},
+                .run = export_nodes});
 }
 
 }  // namespace plinian::graph

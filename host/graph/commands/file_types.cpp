@@ -12,9 +12,9 @@ namespace plinian::graph {
 void FileTypeRegistry::add(FileType type) {
   const std::string what = "the file type " + shown(type.name);
   if (types_.contains(type.name)) throw GraphError(what + " is already registered");
-  if (type.extensions.empty()) throw GraphError(what + " has no extension");
+  if (type.extensions.empty() && type.words.empty()) throw GraphError(what + " has no extension");
   for (const std::string& extension : type.extensions) {
-    if (extension == "pln") throw GraphError(what + " cannot take .pln, which is for scenes");
+    if (extension == "plinian") throw GraphError(what + " cannot take .plinian, which is for scenes");
     if (const FileType* other = find("file." + extension))
       throw GraphError(what + " cannot take ." + extension + ", which '" + other->name + "' has");
   }
@@ -32,8 +32,7 @@ const FileType* FileTypeRegistry::find(const std::string& path) const {
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return char(std::tolower(c)); });
   for (const auto& [name, type] : types_)
-    if (std::find(type.extensions.begin(), type.extensions.end(), extension) != type.extensions.end())
-      return &type;
+    if (std::ranges::count(type.extensions, extension) || std::ranges::count(type.words, path)) return &type;
   return nullptr;
 }
 

@@ -15,6 +15,7 @@ struct FileType {
   std::string name, help;
   std::string plugin;                   // who registers it; empty: the program itself
   std::vector<std::string> extensions;  // in lower case, without the dot
+  std::vector<std::string> words;       // what can be named that is no file, as "ash"
   /// Run as a part of the command, with its arguments; the importer answers with names of nodes. Either may
   /// be empty.
   std::function<CommandResult(Session&, const Arguments&)> import_file, export_file;
@@ -25,7 +26,7 @@ class FileTypeRegistry {
   /// Throws GraphError where an extension is taken, or is the scenes' own.
   void add(FileType type);
   void remove(const std::string& name);
-  /// The type of a file by its name, or null.
+  /// The type of a file by its name, or of a word, or null.
   const FileType* find(const std::string& path) const;
   std::vector<const FileType*> all() const;
 

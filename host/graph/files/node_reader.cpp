@@ -77,10 +77,11 @@ bool NodeReader::keeps_anything() const {
   return type_->is_unknown() || section_.version > type_->version() || !unknown_lines_.empty();
 }
 
-NodeText NodeReader::read(const std::vector<SceneLine>& lines, const WarnLine& warn,
+NodeText NodeReader::read(const std::string& name, const std::vector<SceneLine>& lines, const WarnLine& warn,
                           const std::function<void(int, const std::string&)>& fail) const {
   NodeText result;
   Node& node = result.node;
+  node.name = name;
   node.type = type_;
   node.schema = type_->schema();
   StoredAttributes stored;
@@ -126,7 +127,7 @@ NodeText NodeReader::read(const std::vector<SceneLine>& lines, const WarnLine& w
       node.schema = std::make_shared<const Schema>(node.schema->with_dynamic(spec));
     } catch (const GraphError& error) {
       // The type has one of that name by now: the value goes there.
-      if (node.schema->find(spec.name) == no_attribute) warn(0, error.what());
+      if (node.schema->find(spec.name) == no_attribute) warn(0, name + ": " + error.what());
     }
   }
 
@@ -148,8 +149,10 @@ NodeText NodeReader::read(const std::vector<SceneLine>& lines, const WarnLine& w
     std::string made;
     if (source == line_of.end()) made = "  ." + attribute.path + " " + attribute.text;
     const SceneLine line = source == line_of.end() ? SceneLine{made, 0} : source->second;
+    bool known = false;
     try {
       const Plug plug = Graph::plug(node, attribute.path);
+      known = true;
       const SchemaAttribute& found = (*node.schema)[plug.attribute];
       if (found.array != no_attribute && plug.element < 0) continue;  // default of an element
       if (found.spec.type == AttributeType::node) {
@@ -159,14 +162,17 @@ NodeText NodeReader::read(const std::vector<SceneLine>& lines, const WarnLine& w
       }
       bool clamped = false;
       Value value = fitted(found.spec, read_value(found.spec, split_words(attribute.text)), &clamped);
-      if (clamped) warn(line.number, "." + attribute.path + " is out of its range and was clamped");
+      if (clamped)
+        warn(line.number, name + "." + attribute.path + " is out of its range (" + expectation(found.spec) +
+                              ") and was set to " + write_value(found.spec, value));
       if (found.array == no_attribute && value == found.spec.default_value)
         values.emplace(std::pair(plug.attribute, plug.element), std::monostate());
       else
         values.emplace(std::pair(plug.attribute, plug.element), std::move(value));
     } catch (const GraphError& error) {
       if (source == line_of.end() && migrates) continue;  // a default of an attribute that is no more
-      warn(line.number, std::string(error.what()) + "; the line is kept as it is");
+      warn(line.number,
+           (known ? name + "." + attribute.path + " " : "") + error.what() + "; the line is kept as it is");
       node.kept.push_back({std::string(line.text)});
     }
   }
@@ -206,7 +212,8 @@ void finish_node(Editor& editor, NodeId id, const NodeLinks& links,
       const std::vector<Word> words = split_words(reference.text);
       const NodeId target = words.size() == 1 ? node_of(words[0].text) : NodeId();
       if (words.size() != 1 || (!target && words[0].text != "none"))
-        throw GraphError("there is no node " + shown(reference.text));
+        throw GraphError(graph.find(id)->name + "." + reference.path + ": there is no node " +
+                         shown(reference.text));
       if (target) editor.set(Graph::plug(*graph.find(id), reference.path), target);
     } catch (const GraphError& error) {
       keep(reference, error.what());
@@ -232,7 +239,9 @@ void finish_node(Editor& editor, NodeId id, const NodeLinks& links,
       continue;
     }
     try {
-      if (!source) throw GraphError("there is no node for the connection from " + shown(connection.text));
+      if (!source)
+        throw GraphError(graph.find(id)->name + "." + connection.path +
+                         ": there is no node for the connection from " + shown(connection.text));
       editor.connect(Graph::plug(*graph.find(source), source_path),
                      Graph::plug(*graph.find(id), connection.path));
     } catch (const GraphError& error) {

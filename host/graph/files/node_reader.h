@@ -27,7 +27,7 @@ struct NodeLinks {
 
 /// A node as its lines describe it.
 struct NodeText {
-  Node node;  // without id, name, parent and connections
+  Node node;  // without id, parent and connections
   NodeLinks links;
 };
 
@@ -40,7 +40,7 @@ class NodeReader {
   NodeReader(NodeTypePtr type, const TypeSection& section, bool newer);
 
   /// Throws GraphError, without the line's place, through `fail_at`, for what no scene holds.
-  NodeText read(const std::vector<SceneLine>& lines, const WarnLine& warn,
+  NodeText read(const std::string& name, const std::vector<SceneLine>& lines, const WarnLine& warn,
                 const std::function<void(int line, const std::string&)>& fail) const;
 
   /// What is to be kept of the type's section: of an unknown type all, of a known one what is not known of

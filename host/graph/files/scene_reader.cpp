@@ -115,9 +115,9 @@ class SceneReader {
       return;
     }
     const WarnLine warn = [&](int line, const std::string& message) {
-      add_warning(line ? line : section.line, "node '" + section.name + "': " + message);
+      add_warning(line ? line : section.line, message);
     };
-    NodeText text = reader.read(section.lines, warn,
+    NodeText text = reader.read(section.name, section.lines, warn,
                                 [this](int line, const std::string& message) { fail(line, message); });
     if (const auto spelled_out = spelled_out_.find(section.type); spelled_out != spelled_out_.end())
       spell_out(*spelled_out->second, text.node);

@@ -43,27 +43,20 @@ std::vector<std::string> revive_nodes(Editor& editor, const NodeTypePtr& type) {
     return node ? node->id : NodeId();
   };
   std::vector<NodeLinks> links;
-  std::string current;
-  const WarnLine warn = [&](int, const std::string& message) {
-    warnings.push_back(current + ": " + message);
-  };
+  const WarnLine warn = [&](int, const std::string& message) { warnings.push_back(message); };
   for (const NodeId id : nodes) {
     const Node& old = *graph.find(id);
-    current = old.name;
     const std::vector<std::string> texts = node_lines(graph, old);
     const std::vector<SceneLine> lines = lines_of(texts);
-    NodeText text = reader.read(lines, warn, [&](int, const std::string& message) { warn(0, message); });
+    NodeText text =
+        reader.read(old.name, lines, warn, [&](int, const std::string& message) { warn(0, message); });
     Node node = std::move(text.node);
     node.id = old.id;
-    node.name = old.name;
     node.parent = old.parent;
     editor.replace_node(std::move(node));
     links.push_back(std::move(text.links));
   }
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    current = graph.find(nodes[i])->name;
-    finish_node(editor, nodes[i], links[i], node_of, warn);
-  }
+  for (std::size_t i = 0; i < nodes.size(); ++i) finish_node(editor, nodes[i], links[i], node_of, warn);
   // Others that were waiting for one of these.
   for (const Node* node : graph.nodes()) {
     if (node->type->is_unknown()) continue;
@@ -80,7 +73,6 @@ std::vector<std::string> revive_nodes(Editor& editor, const NodeTypePtr& type) {
     }
     if (waiting.connections.empty()) continue;
     const NodeId id = node->id;
-    current = node->name;
     editor.set_kept(id, std::move(rest));
     finish_node(editor, id, waiting, node_of, warn);
   }
@@ -121,7 +113,7 @@ void forget_type(Editor& editor, const NodeTypePtr& type) {
     const std::vector<SceneLine> lines = lines_of(texts);
     const NodeReader reader(unknown, TypeSection{type->name()}, true);
     NodeText text = reader.read(
-        lines, [](int, const std::string&) {}, [](int, const std::string&) {});
+        node.name, lines, [](int, const std::string&) {}, [](int, const std::string&) {});
     copy.kept = std::move(text.node.kept);
     for (const Input& input : std::vector<Input>(node.inputs))
       editor.history().perform(SetInput{{id, input.attribute, input.element, input.component}, std::nullopt});

@@ -5,7 +5,8 @@ namespace plinian {
 namespace {
 
 TEST_F(Program, CtrlCAndAPoliteKillReachAComputationThatAScriptWaitsFor) {
-  folder_.write("s.pln", "loadPlugin patient\ncreateNode patient\nls -type patient\nevaluate patient1.out\nls\n");
+  folder_.write("s.pln",
+                "loadPlugin patient\ncreateNode patient\nls -type patient\nevaluate patient1.out\nls\n");
   for (const int signal : {SIGINT, SIGTERM}) {
     RunOptions options;
     options.environment = {{"PLINIAN_PLUGIN_PATH", PLINIAN_TEST_PLUGINS}};
@@ -17,6 +18,40 @@ TEST_F(Program, CtrlCAndAPoliteKillReachAComputationThatAScriptWaitsFor) {
     EXPECT_EQ(ended.err, "plinian: error: s.pln:4: cancelled here; what the lines before it did is done\n");
     EXPECT_EQ(ended.out, "patient\npatient1\npatient1\n");
   }
+}
+
+TEST_F(Program, AScriptMakesThePictureThatAProceduralMediumAloneMakes) {
+  folder_.write("s.pln",
+                "import -setup explosion\nsetAttr medium_noise.resolution 24\n"
+                "render a.png -renderer cpu -passes 1 -size 48x32\nsave s.plinian\n");
+  const Ended made = run({"run", "s.pln"});
+  EXPECT_EQ(made.code, 0) << made.err;
+  const Ended ls = run({"info", "s.plinian"});
+  for (const char* node : {"key", "rim", "camera", "settings", "medium_noise"})
+    EXPECT_NE(ls.out.find(node), std::string::npos) << node;
+}
+
+TEST_F(Program, AScriptAndASceneAreToldApart) {
+  folder_.write("s.pln", "ls\n");
+  folder_.write("s.plinian", "plinian scene 1.0\nend\n");
+  for (const char* command : {"render", "info"})
+    EXPECT_EQ(run({command, "s.pln"}).err,
+              "plinian: error: s.pln: is a script: 'plinian run s.pln' runs it\n");
+  EXPECT_EQ(
+      run({"run", "s.plinian"}).err,
+      "plinian: error: s.plinian: is a scene, not a script: 'plinian render s.plinian' makes a picture, "
+      "'plinian run SCRIPT s.plinian' runs a script on it\n");
+}
+
+TEST_F(Program, ABadVariantIsToldBeforeAPictureIsMade) {
+  const Ended ended = run({"render", "sphere", "--renderer", "cpu", "--passes", "1", "--size", "48x32",
+                           "--vary", "medium.albedo=0.5,abc", "--sheet", "v.png"});
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_EQ(ended.err.find("albedo 0.5"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find(
+                "--vary medium.albedo: medium.albedo expects a number or 3 numbers from 0 to 1, not 'abc'"),
+            std::string::npos)
+      << ended.err;
 }
 
 }  // namespace

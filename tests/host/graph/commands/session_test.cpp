@@ -98,6 +98,34 @@ TEST(Session, DuplicatesParentsRenamesLocksAndAddsAttributes) {
   EXPECT_EQ(s.run("setAttr leaf2.heat 9\nresetAttr leaf2.heat\ngetAttr leaf2.heat"), "4");
 }
 
+TEST(Session, WhatIsExportedKeepsItsPlaceAndWhereAskedForWhatDrivesIt) {
+  const TemporaryFolder folder;
+  TestSession s;
+  const std::string file = folder / "part.plinian";
+  s.run(
+      "createNode transform -name top\ncreateNode transform -name inner -parent top\n"
+      "createNode sum -name x\nconnectAttr x.out inner.translate.y\nsetAttr top.translate 1 2 3");
+  const auto nodes_after = [&](const std::string& command) {
+    s.run(command + " \"" + file + "\" inner\nimport -namespace lib \"" + file + "\"");
+    const std::string names = s.run("ls lib:*");
+    s.run("undo");
+    return names;
+  };
+  EXPECT_EQ(nodes_after("export"), "lib:top\nlib:inner");
+  EXPECT_EQ(nodes_after("export -inputs"), "lib:top\nlib:inner\nlib:x");
+  s.run("import -namespace lib \"" + file + "\"");
+  EXPECT_EQ(s.run("getAttr lib:top.translate"), "1 2 3");
+}
+
+TEST(Session, ANodeAnswersWithAllThatCanBeSetOnIt) {
+  TestSession s;
+  s.run("createNode transform -name t\nsetAttr t.translate 1 2 3");
+  const std::string all = s.run("getAttr t");
+  EXPECT_NE(all.find("translate 1 2 3\n"), std::string::npos) << all;
+  EXPECT_NE(all.find("rotate 0 0 0\n"), std::string::npos) << all;
+  EXPECT_EQ(s.refusal("setAttr .x 1"), "'.x' names no attribute: write NODE.ATTRIBUTE");
+}
+
 TEST(Session, WhatIsImportedSharesTheNodesOfWhichASceneHasOne) {
   const TemporaryFolder folder;
   TestSession s;

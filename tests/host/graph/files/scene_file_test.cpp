@@ -236,11 +236,11 @@ node sum s
   const SceneReport report = read(scene, nodes + "end\n");
   EXPECT_EQ(
       all(report.warnings),
-      "a.pln:3: node 'e': .weight is out of its range and was clamped\n"
-      "a.pln:4: node 'e': 'medium' is none of off, low, high; the line is kept as it is\n"
-      "a.pln:5: node 'e': node '' (every) has no attribute 'fancy'; the line is kept as it is\n"
-      "a.pln:6: there is no node 'nobody'; the line is kept as it is\n"
-      "a.pln:7: there is no node for the connection from 'gone.out'; the line is kept as it is\n"
+      "a.pln:3: e.weight is out of its range (a number from 0 to 1) and was set to 1\n"
+      "a.pln:4: e.mode 'medium' is none of off, low, high; the line is kept as it is\n"
+      "a.pln:5: node 'e' (every) has no attribute 'fancy'; the line is kept as it is\n"
+      "a.pln:6: e.target: there is no node 'nobody'; the line is kept as it is\n"
+      "a.pln:7: e.flag: there is no node for the connection from 'gone.out'; the line is kept as it is\n"
       "a.pln:8: cannot connect s.out to e.label: float cannot drive string; the line is kept as it is\n");
   const std::string again = write_scene(scene.graph);
   for (const char* line : {"  .mode medium\n", "  .fancy 1   2\n", "  .target nobody\n",
