@@ -40,6 +40,9 @@ struct BatchState {
   std::size_t map_texels = 0;  // RGBA32UI
   ivec3 sums_size{0};
   std::vector<std::optional<MapKey>> built;  // one per layer of maps
+  gl::Buffer block;                          // for light_maps(): lights and maps, see light_lookup.glsl
+  std::shared_ptr<const std::string> glsl;   // likewise
+  std::size_t light_count = 0;               // of the last picture; 0: it had no maps
 };
 
 /// Everything that lives on the GPU: gone as a whole when the context is lost.
@@ -67,11 +70,13 @@ class GlRenderer final : public Renderer {
 
   Frame render(const SceneSnapshot& scene, const Passes& passes, const Progress& progress) override;
   const RenderStats& stats() const override { return stats_; }
+  std::vector<GlLightMap> light_maps() const;
 
  private:
   bool context_lost();
   void make_context_again();
   std::vector<const passes::VolumeTextures*> upload(const FlatScene& flat);
+  void publish(const FlatScene& flat, BatchState& batch);
   void build_maps(const FlatScene& flat, BatchState& batch, const std::function<bool()>& go_on);
   Frame render_once(const SceneSnapshot& scene, const Passes& passes, const Progress& progress);
 
@@ -128,6 +133,35 @@ void GlRenderer::build_maps(const FlatScene& flat, BatchState& batch, const std:
     ++stats_.map_builds;
   }
   stats_.map_bytes += texels * sizeof(uvec4);
+}
+
+// What light_maps() tells of a batch of lights whose maps are built.
+void GlRenderer::publish(const FlatScene& flat, BatchState& batch) {
+  struct Block {
+    LightData lights[max_lights];
+    MapData maps[max_maps];
+  };
+  const auto block = std::make_unique<Block>();
+  std::copy(flat.lights.begin(), flat.lights.end(), block->lights);
+  std::copy(flat.maps.begin(), flat.maps.end(), block->maps);
+  if (!batch.block) batch.block = gl::make_buffer(sizeof(Block), nullptr);
+  gl::update_buffer(batch.block, sizeof(Block), block.get());
+  std::string glsl = gl::shader_part("viewport/passes/light_lookup.glsl",
+                                     {{"GROUP_COUNT", std::to_string(flat.group_count)},
+                                      {"MAP_RESOLUTION", std::to_string(flat.layout.resolution)},
+                                      {"MAP_COEFFICIENTS", std::to_string(flat.layout.coefficients)},
+                                      {"MAP_WEIGHTING", std::to_string(flat.layout.weighting)}});
+  if (!batch.glsl || *batch.glsl != glsl) batch.glsl = std::make_shared<const std::string>(std::move(glsl));
+  batch.light_count = flat.lights.size();
+}
+
+std::vector<GlLightMap> GlRenderer::light_maps() const {
+  std::vector<GlLightMap> result;
+  if (!gpu_) return result;
+  for (const BatchState& batch : gpu_->batches)
+    for (std::size_t l = 0; l < batch.light_count; ++l)
+      result.push_back({batch.maps.texture.name(), batch.block.name(), int(l), batch.glsl});
+  return result;
 }
 
 /// Adds what passes of `weight` together of a batch left in `box` of its planes to the sums of a picture; its
@@ -203,6 +237,8 @@ void GlRenderer::make_context_again() {
 Frame GlRenderer::render_once(const SceneSnapshot& scene, const Passes& passes, const Progress& progress) {
   if (context_lost()) throw ContextLost();
   const FlatScene whole = flatten(scene);
+  if (gpu_)
+    for (BatchState& batch : gpu_->batches) batch.light_count = 0;
   if (whole.media.empty()) return empty_frame(scene);
   if (!gpu_) gpu_.emplace();
   const auto textures = upload(whole);
@@ -234,6 +270,7 @@ Frame GlRenderer::render_once(const SceneSnapshot& scene, const Passes& passes, 
     double cpu_start = processor_milliseconds();
     if (first && flat.view.light == LightLookup::map) {
       build_maps(flat, state, go_on);
+      publish(flat, state);
       glFinish();
     }
     stats_.map_ms += milliseconds_since(start);
@@ -296,6 +333,11 @@ Frame GlRenderer::render_once(const SceneSnapshot& scene, const Passes& passes, 
 }
 
 }  // namespace
+
+std::vector<GlLightMap> light_maps(Renderer& renderer) {
+  const auto* gl = dynamic_cast<const GlRenderer*>(&renderer);
+  return gl ? gl->light_maps() : std::vector<GlLightMap>();
+}
 
 std::unique_ptr<Renderer> make_gl_renderer() {
   return std::make_unique<GlRenderer>(true);

@@ -84,20 +84,21 @@ PLN_FN float unweighted(PLN_SCENE, float series) {
   return pow(series, MAP_WEIGHTING);
 }
 
-/// Transmittance of the map's reference channel from the light to p [world]. Outside the map's square no
-/// medium lies between, so it is 1.
-PLN_FN float decode_map(PLN_SCENE, int map, vec3 p) {
+/// Where p [world] is in a map: u and v in [0, 1] over its square, k [world] along the light ray.
+PLN_FN vec3 map_place(PLN_SCENE, int map, vec3 p) {
   vec3 q = vec3(dot(vec3(MAP(map).row_u.x, MAP(map).row_u.y, MAP(map).row_u.z), p) + MAP(map).row_u.w,
                 dot(vec3(MAP(map).row_v.x, MAP(map).row_v.y, MAP(map).row_v.z), p) + MAP(map).row_v.w,
                 dot(vec3(MAP(map).row_k.x, MAP(map).row_k.y, MAP(map).row_k.z), p) + MAP(map).row_k.w);
-  float u = q.x;
-  float v = q.y;
-  float k = q.z;
-  if (MAP(map).projection == projection_perspective) {
-    u = 0.5f + q.x / q.z;
-    v = 0.5f + q.y / q.z;
-    k = length(p - MAP(map).ray_origin);
-  }
+  if (MAP(map).projection == projection_perspective)
+    q = vec3(0.5f + q.x / q.z, 0.5f + q.y / q.z, length(p - MAP(map).ray_origin));
+  return q;
+}
+
+/// Transmittance of the map's reference channel from the light to a place in the map within its depth.
+PLN_FN float decode_place(PLN_SCENE, int map, vec3 place) {
+  float u = place.x;
+  float v = place.y;
+  float k = place.z;
   float size = float(MAP_RESOLUTION);
   float s = clamp(u * size - 0.5f, 0.0f, size - 1.0f);
   float t = clamp(v * size - 0.5f, 0.0f, size - 1.0f);
@@ -112,6 +113,23 @@ PLN_FN float decode_map(PLN_SCENE, int map, vec3 p) {
   float t01 = unweighted(scene, decode_series(scene, ivec2(column, row + 1), layer, k, depth));
   float t11 = unweighted(scene, decode_series(scene, ivec2(column + 1, row + 1), layer, k, depth));
   return mix(mix(t00, t10, fs), mix(t01, t11, fs), ft);
+}
+
+/// Transmittance of the map's reference channel from the light to p [world], which is in a medium.
+PLN_FN float decode_map(PLN_SCENE, int map, vec3 p) {
+  return decode_place(scene, map, map_place(scene, map, p));
+}
+
+/// The same for any p. Outside the map's square no medium lies between, so it is 1; beyond its depth nothing
+/// changes any more.
+PLN_FN float decode_anywhere(PLN_SCENE, int map, vec3 p) {
+  float before = dot(vec3(MAP(map).row_k.x, MAP(map).row_k.y, MAP(map).row_k.z), p) + MAP(map).row_k.w;
+  if (MAP(map).projection == projection_perspective && before <= 0.0f) return 1.0f;  // behind a lamp
+  vec3 place = map_place(scene, map, p);
+  if (place.x < 0.0f || place.x > 1.0f || place.y < 0.0f || place.y > 1.0f) return 1.0f;
+  // A texel without density says so of all that lies in front of the map's depth, and of no more.
+  place.z = min(place.z, 0.9999f * MAP(map).k_max);
+  return decode_place(scene, map, place);
 }
 
 PLN_END

@@ -10,7 +10,7 @@
 #include "core/shared/blackbody_lookup.h"
 #include "core/shared/light_falloff.h"
 #include "core/shared/light_march.h"
-#include "core/shared/map_decode.h"
+#include "core/shared/light_lookup.h"
 #include "core/shared/phase.h"
 PLN_BEGIN
 
@@ -91,16 +91,6 @@ PLN_FN vec3 light_travel(PLN_SCENE, int l, vec3 p) {
   if (LIGHT(l).type == light_directional) return -LIGHT(l).toward;
   vec3 from_lamp = p - LIGHT(l).position;
   return from_lamp / max(length(from_lamp), smallest_light_distance);
-}
-
-/// Which of the maps of light l looks at p: the cube face of a point light, else the first.
-PLN_FN int map_face(PLN_SCENE, int l, vec3 p) {
-  if (LIGHT(l).faces == 1) return 0;
-  vec3 d = p - LIGHT(l).position;
-  vec3 a = abs(d);
-  if (a.x >= a.y && a.x >= a.z) return d.x >= 0.0f ? 0 : 1;
-  if (a.y >= a.z) return d.y >= 0.0f ? 2 : 3;
-  return d.z >= 0.0f ? 4 : 5;
 }
 
 /// Optical depth of colour group g's reference channel between p and light l, marched; ends where it passes

@@ -31,10 +31,6 @@ void copy(const dmat4& from, double (&to)[16]) {
   for (int i = 0; i < 16; ++i) to[i] = from[i / 4][i % 4];
 }
 
-void copy(const vec3& from, float (&to)[3]) {
-  for (int i = 0; i < 3; ++i) to[i] = from[i];
-}
-
 void copy(const ivec4& from, std::int32_t (&to)[4]) {
   for (int i = 0; i < 4; ++i) to[i] = from[i];
 }
@@ -43,25 +39,6 @@ void copy(const ivec4& from, std::int32_t (&to)[4]) {
 void forget_errors() {
   for (int i = 0; i < 100 && glGetError() != GL_NO_ERROR; ++i) {
   }
-}
-
-PlinianDrawLight plain(const DrawLight& from) {
-  PlinianDrawLight light{};
-  light.size = sizeof(light);
-  light.name = from.light.name.c_str();
-  light.type = std::uint32_t(from.light.type);
-  copy(from.light.toward, light.toward);
-  copy(from.light.position, light.position);
-  copy(from.light.power(), light.power);
-  light.falloff = std::uint32_t(from.light.falloff);
-  light.radius = from.light.radius;
-  light.cone_angle = from.light.cone_angle;
-  light.penumbra = from.light.penumbra;
-  light.map = from.map;
-  light.map_layer = from.map_layer;
-  light.map_encoding = from.map_encoding.empty() ? nullptr : from.map_encoding.c_str();
-  copy(from.map_from_world, light.map_from_world);
-  return light;
 }
 
 }  // namespace
@@ -264,8 +241,7 @@ PlinianDrawContext DrawDriver::context_for(const Item& item, const DrawView& vie
   context.framebuffer = view.framebuffer;
   context.colour = view.colour;
   context.depth = view.depth;
-  context.lights = lights_.data();
-  context.light_count = lights_.size();
+  lights_.put_into(context);
   const auto& selection = session_.graph().selection();
   for (const graph::NodeId node : selection)
     if (node == item.node) context.selection = node == selection.back() ? 2 : 1;
@@ -278,8 +254,7 @@ void DrawDriver::draw(const DrawView& view, const Place& place) {
   const GlState outer;
   glBindFramebuffer(GL_FRAMEBUFFER, view.framebuffer);
   glViewport(view.viewport.x, view.viewport.y, view.viewport.z, view.viewport.w);
-  lights_.clear();
-  for (const DrawLight& light : view.lights) lights_.push_back(plain(light));
+  lights_ = PlainLights(view.lights);
   for (auto& [node, item] : items_) {
     if (!item->drawable || item->failed || !session_.graph().find(node)) continue;
     const std::optional<dmat4> world_from_object = place(node);

@@ -14,19 +14,10 @@
 #include <string>
 #include <vector>
 
-#include "core/lights/light.h"
+#include "host/draw/draw_lights.h"
 #include "host/sdk/plugin_manager.h"
 
 namespace plinian::draw {
-
-/// A light of the picture beneath, and its transmittance map where the renderer has one.
-struct DrawLight {
-  Light light;
-  unsigned map = 0;          // texture array; 0: none
-  int map_layer = 0;         // where it begins
-  std::string map_encoding;  // "atfm6", ...
-  dmat4 map_from_world{1.0};
-};
 
 /// Where to draw, and what is there. Fields as in PlinianDrawContext.
 struct DrawView {
@@ -92,7 +83,7 @@ class DrawDriver : private sdk::DrawOverrideListener {
   PlinianGl gl_{};
   std::string failure_;  // what the function that runs says of itself
   std::map<graph::NodeId, std::shared_ptr<Item>> items_;
-  std::vector<PlinianDrawLight> lights_;  // of the view that is drawn
+  PlainLights lights_;  // of the view that is drawn
   std::uint64_t generation_ = ~std::uint64_t(0);
   std::vector<std::string> reports_;
   Counters counters_;

@@ -9,6 +9,8 @@
 namespace plinian::gl {
 namespace {
 
+constexpr const char* version_line = "#version 450 core\n";
+
 std::string_view find_file(std::string_view path) {
   for (const auto& [name, text] : shader_files())
     if (name == path) return text;
@@ -41,8 +43,7 @@ void append_text(std::string_view text, Seen& seen, std::string& out) {
   }
 }
 
-std::string with_defines(std::string_view text, const Defines& defines) {
-  std::string out = "#version 450 core\n";
+std::string with_defines(std::string_view text, const Defines& defines, std::string out) {
   for (const auto& [name, value] : defines) out += "#define " + name + " " + value + "\n";
   Seen seen;
   append_text(text, seen, out);
@@ -67,11 +68,15 @@ Program compile(std::string_view path, const std::string& source) {
 }  // namespace
 
 std::string shader_source(std::string_view path, const Defines& defines) {
-  return with_defines(find_file(path), defines);
+  return with_defines(find_file(path), defines, version_line);
+}
+
+std::string shader_part(std::string_view path, const Defines& defines) {
+  return with_defines(find_file(path), defines, "");
 }
 
 Program make_compute_program_from(std::string_view name, std::string_view text, const Defines& defines) {
-  return compile(name, with_defines(text, defines));
+  return compile(name, with_defines(text, defines, version_line));
 }
 
 Program make_compute_program(std::string_view path, const Defines& defines) {

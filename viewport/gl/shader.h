@@ -19,6 +19,9 @@ const std::vector<std::pair<std::string_view, std::string_view>>& shader_files()
 /// the version line. Throws std::runtime_error naming a file that is not carried.
 std::string shader_source(std::string_view path, const Defines& defines);
 
+/// The same without a version line: for shaders that others write around it.
+std::string shader_part(std::string_view path, const Defines& defines);
+
 /// The same for a text that is not carried; `name` stands in messages.
 Program make_compute_program_from(std::string_view name, std::string_view text, const Defines& defines);
 

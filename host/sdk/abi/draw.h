@@ -36,11 +36,30 @@ typedef struct PlinianDrawLight {
   float power[3]; /* colour * intensity * 2^exposure */
   uint32_t falloff;
   float radius, cone_angle, penumbra;
-  uint32_t map;              /* its transmittance map: a texture array; 0: none */
-  int32_t map_layer;         /* where it begins */
-  const char* map_encoding;  /* "atfm6", ...; null: none */
-  double map_from_world[16]; /* to [0, 1]^2 of the map and the distance along the light [world] */
+  /* Held nothing in 1.1, and do not now: see PlinianLightMap. */
+  uint32_t reserved_map;
+  int32_t reserved_layer;
+  const char* reserved_encoding;
+  double reserved_matrix[16];
 } PlinianDrawLight;
+
+/* How a shader looks up how much of a light arrives at a place, through the media of the picture (since 1.2).
+ * `glsl` goes behind the version line (450) of the shader, in front of what is its own; it declares
+ *
+ *   vec3 plinian_light(int light, vec3 place);   share [-] per channel, at a place [world]
+ *   uniform usamplerBuffer plinian_map_texels;   for `texels`: glBindTextureUnit, glUniform1i
+ *   uniform PlinianLights { ... };               for `block`: glBindBufferBase, glUniformBlockBinding
+ *
+ * and the names of Plinian's core/shared/light_lookup.h with what that includes; names of your own that begin
+ * with the name of the plug-in stay out of their way. The text is the same object as long as the same program
+ * will do: make another where it is not. */
+typedef struct PlinianLightMap {
+  size_t size;
+  const char* glsl;
+  uint32_t texels; /* GL name of a buffer texture (GL_RGBA32UI): layer, row, column, then 1 to 3 words */
+  uint32_t block;  /* GL name of a uniform buffer */
+  int32_t light;   /* its number for plinian_light() */
+} PlinianLightMap;
 
 typedef struct PlinianDrawContext {
   size_t size;
@@ -56,6 +75,8 @@ typedef struct PlinianDrawContext {
   uint32_t selection; /* 0 no, 1 selected, 2 selected last */
   float pixel_ratio;  /* pixels of the framebuffer per point of the screen */
   double frame;       /* current time [frames] */
+  /* Since 1.2. One for each light; null where it has no map. */
+  const PlinianLightMap* const* light_maps;
 } PlinianDrawContext;
 
 typedef struct PlinianDraw {

@@ -66,7 +66,7 @@ sdk::NodeType square() {
     for (std::size_t i = 0; i < context.plain.light_count; ++i)
       log_of.lights.push_back(std::string(context.plain.lights[i].name) + " " +
                               std::to_string(int(context.plain.lights[i].power[0])) + " " +
-                              std::to_string(context.plain.lights[i].map));
+                              (context.plain.light_maps[i] ? context.plain.light_maps[i]->glsl : "none"));
     if (data.fault == "draw") throw sdk::Error("no ink");
     if (data.fault == "error") glEnable(GL_TEXTURE_2D + 12345);
     const auto clip = context.clip_from_object();
@@ -174,10 +174,10 @@ TEST(DrawDriver, TellsTheOverrideAboutLightsSelectionAndTime) {
   Light lamp;
   lamp.name = "lamp";
   lamp.intensity = 8.0f;
-  s.view.lights = {{lamp, 77, 0, "atfm6", dmat4(1.0)}};
+  s.view.lights = {{lamp, {77, 78, 0, std::make_shared<const std::string>("text")}}};
   s.run("select -clear\ncurrentTime 12");
   s.picture();
-  EXPECT_EQ(log_of.lights, std::vector<std::string>{"lamp 8 77"});
+  EXPECT_EQ(log_of.lights, std::vector<std::string>{"lamp 8 text"});
   EXPECT_EQ(log_of.selection, 0u);
   EXPECT_EQ(log_of.frame, 12.0);
   s.run("createNode square -name t\nselect s t");
