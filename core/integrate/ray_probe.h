@@ -2,6 +2,7 @@
 // exactly and as the light's transmittance map has it.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -22,6 +23,11 @@ struct ViewRayProbe {
   std::vector<Sample> samples;  // evenly from the first density to the last; empty where there is none
   double depth;                 // [world] where alpha passes 0.5; infinity if it never does
   dvec3 at(double t) const { return origin + t * direction; }
+  /// Where lights are probed unless somebody says otherwise: at the depth, or else half way through. samples:
+  /// not empty.
+  double middle() const {
+    return std::isfinite(depth) ? depth : 0.5 * (samples.front().t + samples.back().t);
+  }
 };
 
 /// How one light fades along the ray on which it travels to a point.

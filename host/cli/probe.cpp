@@ -130,10 +130,7 @@ int run_probe(const ProbeArguments& arguments, const std::string& command_line) 
   const RayProbe probe(scene);
   report.view = probe.view_ray(report.pixel, arguments.samples);
   if (!report.view.samples.empty()) {
-    const double first = report.view.samples.front().t, last = report.view.samples.back().t;
-    report.t = arguments.t > 0.0                  ? arguments.t
-               : std::isfinite(report.view.depth) ? report.view.depth
-                                                  : 0.5 * (first + last);
+    report.t = arguments.t > 0.0 ? arguments.t : report.view.middle();
     for (std::size_t l = 0; l < scene.lights.size(); ++l)
       report.lights.push_back(probe.light_ray(report.view.at(report.t), l, arguments.samples));
   }

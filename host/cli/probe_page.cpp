@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/scene/tick_step.h"
+
 namespace plinian::cli {
 
 namespace {
@@ -35,13 +37,6 @@ std::string escaped(const std::string& text) {
 
 double mean(const dvec3& v) {
   return (v.x + v.y + v.z) / 3.0;
-}
-
-// A step of 1, 2 or 5 times a power of ten that cuts the range into four to ten parts.
-double tick_step(double range) {
-  const double power = std::pow(10.0, std::floor(std::log10(std::max(range, 1e-30) / 4.0)));
-  const double share = range / 4.0 / power;
-  return power * (share >= 5.0 ? 5.0 : share >= 2.0 ? 2.0 : 1.0);
 }
 
 class Plot {

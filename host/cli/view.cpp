@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "host/cli/command.h"
+#include "host/cli/progress.h"
 #include "host/cli/scene_arguments.h"
 #include "host/window/window.h"
 
@@ -48,8 +49,9 @@ Run set_up_view(CLI::App& app) {
     if (!arguments->size.empty()) options.size = parse_size(arguments->size);
     options.autosave_seconds = arguments->autosave_seconds;
     options.trace = arguments->trace;
+    options.interrupted = &interrupt_flag();
     window::run_window(options);
-    return exit_success;
+    return interrupted() ? exit_cancelled : exit_success;
   };
 }
 

@@ -47,6 +47,7 @@ Studio::Studio(std::function<void()> wake, const std::string& trace_path)
       renderer(make_renderer, wake),
       developer(wake),
       comparison(development, wake),
+      inspector(wake),
       files(workspace, commands, viewpoint, console, trace) {
   files.frame_all = [this] { viewpoint.frame(false, picture_size); };
   development.view.view = default_view();

@@ -17,6 +17,7 @@
 #include "host/window/hotkeys/hotkeys.h"
 #include "host/window/navigation/viewpoint.h"
 #include "host/window/platform/trace.h"
+#include "host/window/probe/inspector.h"
 #include "host/window/view/developer.h"
 #include "host/window/view/scene_feed.h"
 #include "host/window/view/view_renderer.h"
@@ -61,6 +62,9 @@ class Studio {
   void render_reference();
   /// Whether what it is compared with shows another scene or view by now.
   bool is_other_old() const { return comparison.is_old(number_); }
+
+  // What is looked into.
+  Inspector inspector;
 
   SceneFiles files;
 

@@ -15,7 +15,13 @@ void run_window(const WindowOptions& options) {
   Interface interface(window, studio);
   studio.files.autosave_seconds = options.autosave_seconds;
   if (!options.input.empty()) studio.files.begin_with(options.input);
-  while (!studio.quit) interface.turn();
+  while (!studio.quit) {
+    interface.turn();
+    if (options.interrupted && *options.interrupted) {
+      studio.files.leave_unsaved();
+      break;
+    }
+  }
 }
 
 }  // namespace plinian::window

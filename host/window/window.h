@@ -1,6 +1,7 @@
 // The window of the program: everything in it, until it is closed.
 #pragma once
 
+#include <atomic>
 #include <string>
 
 #include "core/shared/glue.h"
@@ -11,7 +12,9 @@ struct WindowOptions {
   std::string input = "ash";       // scene, volume or procedural medium to begin with; empty: an empty scene
   ivec2 size{1440, 900};           // [points]
   double autosave_seconds = 30.0;  // between two looks whether there is something to be kept
-  std::string trace;               // file to note in what happens, see Trace; empty: none
+  const std::atomic<bool>* interrupted =
+      nullptr;        // raised: the window ends and keeps what is not saved aside
+  std::string trace;  // file to note in what happens, see Trace; empty: none
 };
 
 /// Opens the window and returns when it is closed. Throws NoDisplay (main_window.h) where there is none.

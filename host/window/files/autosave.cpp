@@ -69,6 +69,13 @@ void Autosave::keep(const std::string& text, const std::string& scene_path) {
   write_file(file_.string(), std::string_view(text));
 }
 
+void Autosave::leave() {
+  if (file_.empty()) return;
+  close(lock_);
+  lock_ = -1;
+  file_.clear();
+}
+
 void Autosave::forget() {
   if (file_.empty()) return;
   remove_kept(file_);

@@ -22,6 +22,8 @@ class Autosave {
   /// Keeps a scene's text in place of what was kept before. scene_path: its own file, or "". Throws
   /// FileError.
   void keep(const std::string& text, const std::string& scene_path);
+  /// What was kept stays there for the next program.
+  void leave();
   /// The scene was saved, or is of no interest any more.
   void forget();
 

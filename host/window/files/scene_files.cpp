@@ -122,6 +122,12 @@ void SceneFiles::autosave_if_due(bool hand_on) {
   }
 }
 
+void SceneFiles::leave_unsaved() {
+  autosaved_ = {};
+  autosave_if_due(false);
+  autosave_.leave();
+}
+
 void SceneFiles::recover(const Autosave::Left& left) {
   commands_.later([=, this] {
     try {

@@ -36,6 +36,8 @@ class SceneFiles {
   std::vector<Autosave::Left> left_behind;  // by programs that ended without order; to be asked about
   /// Keeps unsaved changes aside, where it is time and no hand is in the middle of something.
   void autosave_if_due(bool hand_on);
+  /// Keeps unsaved changes aside for the next start: the program is told to end.
+  void leave_unsaved();
   void recover(const Autosave::Left& left);
 
   /// Frames everything, once what was added is there; set by the studio.

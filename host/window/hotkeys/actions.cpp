@@ -34,6 +34,7 @@ bool is_of_the_view(Action action) {
     case Action::scene_camera:
     case Action::wipe:
     case Action::difference:
+    case Action::probe:
     case Action::toggle_display:
     case Action::toggle_panels:
     case Action::hotkey_list:
@@ -100,6 +101,9 @@ void act(Studio& studio, Action action) {
     case Action::difference:
       studio.development.difference = comparison.other && !studio.development.difference;
       comparison.wipes = false;
+      return;
+    case Action::probe:
+      studio.inspector.on = !studio.inspector.on;
       return;
     case Action::set_key:
       return key_selection(studio);

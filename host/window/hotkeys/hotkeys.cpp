@@ -88,6 +88,8 @@ Hotkeys::Hotkeys()
           entry(Action::reference, "reference", "View", "render the reference to compare with", "Shift+R"),
           entry(Action::wipe, "wipe", "View", "wipe between the picture and the one kept", "Shift+W"),
           entry(Action::difference, "difference", "View", "how far it is from the one kept", "Shift+D"),
+          entry(Action::probe, "probe", "View", "click in the picture to see why a pixel looks as it does",
+                "I"),
           entry(Action::toggle_display, "headsUp", "View", "figures over the picture", "H"),
           entry(Action::set_key, "setKey", "Time", "key the place of what is selected", "S"),
           entry(Action::play, "play", "Time", "play, or stop", "Space"),

@@ -46,6 +46,7 @@ enum class Action {
   reference,
   wipe,
   difference,
+  probe,
   toggle_display,
   toggle_panels,
   console_line,

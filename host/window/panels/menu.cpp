@@ -127,6 +127,7 @@ void show_menu(Studio& studio) {
     item(studio, "Wipe", Action::wipe, studio.comparison.other != nullptr, studio.comparison.wipes);
     item(studio, "Difference", Action::difference, studio.comparison.other != nullptr,
          studio.development.difference);
+    item(studio, "Probe a pixel", Action::probe, true, studio.inspector.on);
     if (ImGui::MenuItem("Forget it", "", false, studio.comparison.other != nullptr))
       studio.comparison.keep(nullptr, "");
     ImGui::EndMenu();

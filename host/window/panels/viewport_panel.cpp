@@ -98,10 +98,12 @@ void ViewportPanel::show(Studio& studio, const PaneRect& pane, double pixel_rati
   const bool hovered = ImGui::IsItemHovered();
   studio.trace.item("picture", picture_.begin, picture_.size);
   comparison_.show(studio, pane, picture_, texture_.shown());
+  probe_.choose(studio, picture_, hovered && !comparison_.is_held());
   hand_.move(studio, picture_, hovered && !comparison_.is_held());
   show_notes(studio, pane, texture_.shown());
   if (hovered) show_pixel(texture_.shown(), picture_, pane);
   ImGui::End();
+  probe_.show(studio, pane);
 }
 
 }  // namespace plinian::window
