@@ -111,6 +111,10 @@ void SceneFiles::autosave_if_due(bool hand_on) {
   const auto now = std::chrono::steady_clock::now();
   if (now - autosaved_ < std::chrono::duration<double>(autosave_seconds) || hand_on) return;
   autosaved_ = now;
+  keep_unsaved();
+}
+
+void SceneFiles::keep_unsaved() {
   if (!session().history().is_modified()) return autosave_.forget();
   if (session().graph().generation() == autosaved_generation_) return;
   try {
@@ -123,8 +127,7 @@ void SceneFiles::autosave_if_due(bool hand_on) {
 }
 
 void SceneFiles::leave_unsaved() {
-  autosaved_ = {};
-  autosave_if_due(false);
+  keep_unsaved();
   autosave_.leave();
 }
 

@@ -44,6 +44,7 @@ class SceneFiles {
   std::function<void()> frame_all;
 
  private:
+  void keep_unsaved();
   void import_whole(const std::string& input);
   graph::Session& session() { return workspace_.session(); }
 

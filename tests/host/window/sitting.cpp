@@ -131,8 +131,8 @@ void Sitting::start_program(const std::vector<std::string>& arguments) {
   if (!state_->window) throw std::runtime_error("there is no window");
 }
 
-void Sitting::kill_and_start_again(const std::vector<std::string>& arguments) {
-  kill(state_->program, SIGKILL);
+void Sitting::kill_and_start_again(const std::vector<std::string>& arguments, int signal) {
+  kill(state_->program, signal);
   waitpid(state_->program, nullptr, 0);
   state_->program = -1;
   state_->trace = std::ifstream();

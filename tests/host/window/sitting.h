@@ -1,6 +1,7 @@
 // The program's window on a display of its own, driven by real X input as by a hand.
 #pragma once
 
+#include <csignal>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -60,8 +61,8 @@ class Sitting {
   void type(const std::string& text);
 
   Pixels pixels(ivec4 area);
-  /// Ends the program as a crash would, and starts it anew.
-  void kill_and_start_again(const std::vector<std::string>& arguments);
+  /// Ends the program, as a crash would unless the signal is another, and starts it anew.
+  void kill_and_start_again(const std::vector<std::string>& arguments, int signal = SIGKILL);
   /// Asks the window to close, as a desktop does.
   void ask_to_close();
   /// Waits for the program to end; -1 where it does not within half a minute.

@@ -280,5 +280,16 @@ TEST_F(WindowSitting, OffersAfterACrashWhatWasNotSaved) {
   EXPECT_TRUE(fs::is_empty(sitting.folder() / "state" / "plinian" / "unsaved"));
 }
 
+TEST_F(WindowSitting, KeepsForTheNextStartWhatAPoliteKillFindsUnsaved) {
+  const std::vector<std::string> arguments = {"--empty", "--autosave", "86400"};
+  Sitting sitting(arguments);
+  command(sitting, "createNode transform -name kept");
+  sitting.kill_and_start_again(arguments, SIGTERM);
+  sitting.click(sitting.middle("recovery recover"));
+  sitting.wait_for("recovered");
+  command(sitting, "save kept.plinian");
+  EXPECT_NE(text_of(sitting.folder() / "kept.plinian").find("node transform kept"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace plinian
