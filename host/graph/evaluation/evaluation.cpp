@@ -218,6 +218,7 @@ bool Evaluation::advance(const Plug& plug, bool need_value, std::vector<std::pai
     const auto entry = services_.cache->find(key);
     if (entry && (entry->result->has_value || !need_value) && reads_hold(*node, entry->reads)) {
       ++counters_.cache_hits;
+      if (!entry->warning.empty()) warnings_[plug] = entry->warning;
       store(plug, entry->result);
       return true;
     }
@@ -367,17 +368,17 @@ ResultPtr Evaluation::compute(const Node& node, const Plug& output, Hash key, bo
     result.identity = identity_of(value, own_key);
     result.value = std::move(value);
     result.time_dependent = time_dependent || !context.reads_.empty();
-    if (attribute == output.attribute && !context.warning_.empty())
-      result.warning = std::make_shared<const std::string>(std::move(context.warning_));
     const auto shared = std::make_shared<const Result>(std::move(result));
     // What was read without being declared is not in the key, so that the cache could not be trusted.
     if (services_.cache && !undeclared_reads_.contains(output))
-      services_.cache->insert(own_key, {shared, context.reads_});
+      services_.cache->insert(own_key, {shared, context.reads_,
+                                        attribute == output.attribute ? context.warning_ : std::string()});
     if (attribute == output.attribute)
       wanted = shared;
     else
       store(plug, shared);
   }
+  if (!context.warning_.empty()) warnings_[output] = std::move(context.warning_);
   return wanted;
 }
 

@@ -53,6 +53,8 @@ class Evaluation {
   const EvaluationCounters& counters() const { return counters_; }
   /// Inputs that computations read although they do not affect the output, as "node.out reads node.seed".
   const std::map<Plug, std::set<Plug>>& undeclared_reads() const { return undeclared_reads_; }
+  /// What computations had to say of their results, now or when these were computed.
+  const std::map<Plug, std::string>& warnings() const { return warnings_; }
 
  private:
   class Context;
@@ -76,6 +78,7 @@ class Evaluation {
   FlatMap<Plug, ResultPtr> results_;
   std::map<double, std::unique_ptr<Evaluation>> other_times_;
   std::map<Plug, std::set<Plug>> undeclared_reads_;
+  std::map<Plug, std::string> warnings_;
   std::unordered_map<const NodeType*, std::uint64_t> computes_;
   EvaluationCounters counters_;
 };

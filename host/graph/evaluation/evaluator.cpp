@@ -169,7 +169,7 @@ ResultPtr Evaluator::evaluate(const Plug& plug) {
   };
   Evaluation evaluation(graph_.snapshot(), time_, services);
   const ResultPtr result = evaluation.evaluate(plug);
-  for (const auto& [output, found] : evaluation.results()) accept(output, found);
+  for (const auto& [output, found] : evaluation.results()) accept(output, found, evaluation.warnings());
   count(evaluation.counters());
   tell_undeclared(evaluation.undeclared_reads());
   return result;
@@ -189,7 +189,8 @@ ResultPtr Evaluator::evaluate_at(double frames, const Plug& plug) {
 }
 
 // Makes a result the state of an output, and tells of a failure that is new.
-void Evaluator::accept(const Plug& output, const ResultPtr& result) {
+void Evaluator::accept(const Plug& output, const ResultPtr& result,
+                       const std::map<Plug, std::string>& warnings) {
   OutputState* state = result ? this->state(output) : nullptr;
   if (!state) return;  // an input that is passed on
   if (state->clean && state->result == result) return;
@@ -198,13 +199,12 @@ void Evaluator::accept(const Plug& output, const ResultPtr& result) {
   if (!result->error) {
     state->last_good = result;
     failing_.erase(output);
-    if (result->warning) {
-      std::string& told = warned_[output];
-      if (std::exchange(told, *result->warning) != *result->warning && on_warning)
-        on_warning(graph_.name_of(output) + ": " + told);
-    } else if (!warned_.empty()) {
+    if (warnings.empty() && warned_.empty()) return;
+    const auto warning = warnings.find(output);
+    if (warning == warnings.end())
       warned_.erase(output);
-    }
+    else if (std::exchange(warned_[output], warning->second) != warning->second && on_warning)
+      on_warning(graph_.name_of(output) + ": " + warning->second);
     return;
   }
   if (result->error->origin != output) {

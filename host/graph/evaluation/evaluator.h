@@ -126,6 +126,7 @@ class Evaluator : private GraphObserver {
     FlatMap<Plug, ResultPtr> computed;
     EvaluationCounters counters;
     std::map<Plug, std::set<Plug>> undeclared_reads;
+    std::map<Plug, std::string> warnings;
   };
   using RequestPtr = std::shared_ptr<Request>;
 
@@ -136,7 +137,7 @@ class Evaluator : private GraphObserver {
   void add_states(NodeId node);
   void push_dirt(const Plug& plug);
   void push_outputs(const Node& node);
-  void accept(const Plug& output, const ResultPtr& result);
+  void accept(const Plug& output, const ResultPtr& result, const std::map<Plug, std::string>& warnings);
   void count(const EvaluationCounters& counters);
   void tell_undeclared(const std::map<Plug, std::set<Plug>>& reads);
   EvaluationServices services();

@@ -96,6 +96,7 @@ void Evaluator::work() {
     request->computed = evaluation.results();
     request->counters = evaluation.counters();
     request->undeclared_reads = evaluation.undeclared_reads();
+    request->warnings = evaluation.warnings();
     {
       const std::lock_guard lock(mutex_);
       done_.push_back(std::move(request));
@@ -109,7 +110,8 @@ void Evaluator::end(const RequestPtr& request) {
   std::erase(in_flight_, request);
   for (const auto& [plug, result] : request->computed) {
     const OutputState* output = state(plug);
-    if (output && !output->clean && output->dirtied_at <= request->moment) accept(plug, result);
+    if (output && !output->clean && output->dirtied_at <= request->moment)
+      accept(plug, result, request->warnings);
   }
   for (const Plug& plug : request->covered)
     if (plug.node.value < state_ranges_.size())

@@ -23,7 +23,6 @@ struct Result {
   Hash identity;                // equal for equal values; of data without a known content: of what made them
   bool time_dependent = false;  // a node that tells the time is upstream
   ErrorPtr error;               // set: there is no value
-  std::shared_ptr<const std::string> warning;  // one line; null: none
 };
 using ResultPtr = std::shared_ptr<const Result>;
 

@@ -14,9 +14,9 @@ std::optional<ValueCache::Entry> ValueCache::find(Hash key) {
   const std::lock_guard lock(mutex_);
   const Stored* stored = entries_.find(key);
   if (!stored) return std::nullopt;
-  if (!stored->extra) return Entry{stored->result, {}};
+  if (!stored->extra) return Entry{stored->result};
   if (stored->bytes() > 0) recent_.splice(recent_.begin(), recent_, stored->extra->recent);
-  return Entry{stored->result, stored->extra->reads};
+  return Entry{stored->result, stored->extra->reads, stored->extra->warning};
 }
 
 void ValueCache::insert(Hash key, Entry entry) {
@@ -28,8 +28,9 @@ void ValueCache::insert(Hash key, Entry entry) {
   stored->result = std::move(entry.result);
   const std::size_t bytes = bytes_held(stored->result->value);
   stored->extra.reset();
-  if (bytes > 0 || !entry.reads.empty())
-    stored->extra = std::make_unique<Extra>(Extra{std::move(entry.reads), bytes, {}});
+  if (bytes > 0 || !entry.reads.empty() || !entry.warning.empty())
+    stored->extra =
+        std::make_unique<Extra>(Extra{std::move(entry.reads), bytes, {}, std::move(entry.warning)});
   bytes_ += bytes;
   if (bytes > 0)
     stored->extra->recent = recent_.insert(recent_.begin(), key);

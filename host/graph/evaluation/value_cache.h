@@ -6,6 +6,7 @@
 #include <list>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "host/graph/evaluation/flat_map.h"
@@ -28,7 +29,8 @@ class ValueCache {
  public:
   struct Entry {
     ResultPtr result;
-    std::vector<OtherTimeRead> reads;
+    std::vector<OtherTimeRead> reads = {};
+    std::string warning = {};  // what the computation had to say of it
   };
 
   /// budget: of values [bytes].
@@ -47,10 +49,12 @@ class ValueCache {
     std::vector<OtherTimeRead> reads;
     std::size_t bytes = 0;               // that the value holds
     std::list<Hash>::iterator recent{};  // where bytes > 0: its place in recent_
+    std::string warning;
   };
   struct Stored {
     ResultPtr result;
-    std::unique_ptr<Extra> extra;  // null: a number, made of nothing from another time
+    std::unique_ptr<Extra>
+        extra;  // null: a number, made of nothing from another time and with nothing to say
     std::size_t bytes() const { return extra ? extra->bytes : 0; }
   };
   void shrink();
