@@ -6,24 +6,32 @@ namespace plinian::graph {
 
 namespace {
 
-CommandResult repeat(const Arguments& arguments, const char* what, const std::function<std::string()>& step) {
+CommandResult repeat(const Session& session, const Arguments& arguments, const char* what,
+                     const std::function<std::string()>& step) {
   CommandResult lines;
   const int steps = int(arguments.number("steps").value_or(1.0));
   for (int i = 0; i < steps; ++i) {
-    const std::string name = step();
-    if (name.empty()) break;
-    lines.push_back(name);
+    try {
+      const std::string name = step();
+      if (name.empty()) break;
+      lines.push_back(name);
+    } catch (const GraphError& error) {
+      // What was done stays, and is answered.
+      if (lines.empty()) throw;
+      session.warn(error.what());
+      break;
+    }
   }
   if (lines.empty()) throw GraphError(std::string("there is nothing to ") + what);
   return lines;
 }
 
 CommandResult undo(Session& session, const Arguments& arguments) {
-  return repeat(arguments, "undo", [&] { return session.history().undo(); });
+  return repeat(session, arguments, "undo", [&] { return session.history().undo(); });
 }
 
 CommandResult redo(Session& session, const Arguments& arguments) {
-  return repeat(arguments, "redo", [&] { return session.history().redo(); });
+  return repeat(session, arguments, "redo", [&] { return session.history().redo(); });
 }
 
 CommandResult evaluate_plugs(Session& session, const Arguments& arguments) {

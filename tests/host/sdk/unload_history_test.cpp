@@ -44,6 +44,11 @@ TEST(UnloadHistory, WhatWasDoneMeanwhileIsUndoneAndThenWhatWasBefore) {
   EXPECT_EQ(s.run("undo\nundo"), "createNode -name t transform\nrename w v");
   EXPECT_EQ(s.refusal("undo"),
             "'unloadPlugin wobble' brings back nodes of the type 'wobble': load the plug-in 'wobble' first");
+  s.run("redo 2");
+  std::vector<std::string> warnings;
+  s.session.on_warning = [&](const std::string& line) { warnings.push_back(line); };
+  EXPECT_EQ(s.run("undo 9"), "createNode -name t transform\nrename w v") << "as far as it goes";
+  EXPECT_EQ(warnings.size(), 1u);
   EXPECT_EQ(s.run("redo\nredo"), "rename w v\ncreateNode -name t transform");
   s.run("loadPlugin wobble");
   EXPECT_EQ(s.run("getAttr v.out"), "8");
