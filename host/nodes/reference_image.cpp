@@ -3,6 +3,8 @@
 // attribute  unit
 // file       .exr or .png, or a sequence of them
 // time       frames; the scene's time drives it
+// layer      of an EXR that has several; empty: its colour
+// colour_space of the file's values; auto: as the file says
 // place      behind what is rendered, over it, or beside it
 // opacity    -
 // exposure   stops on an EXR
@@ -29,6 +31,11 @@ void add_reference_image(sdk::Plugin& plugin) {
                                         .help = "The frame of a sequence; connect the scene's time.",
                                         .unit = "frames",
                                         .affects = "image"});
+  type.add({.name = "layer", .type = "string", .help = "Of an EXR that has several; empty: its colour."});
+  type.add({.name = "colour_space",
+            .type = "enum",
+            .help = "What the file's values are: as the file says, linear Rec.709, or sRGB.",
+            .choices = "auto,linear,srgb"});
   type.add({.name = "place",
             .type = "enum",
             .help = "Where it is shown: behind what is rendered, over it, or beside it.",

@@ -9,5 +9,7 @@ namespace plinian::scene {
 void add_preset_commands(Workspace& workspace);
 /// quality, isolate, frameView, snapshot.
 void add_view_commands(Workspace& workspace);
+/// loadReference.
+void add_reference_commands(Workspace& workspace);
 
 }  // namespace plinian::scene

@@ -51,7 +51,8 @@ double Interface::patience() const {
   if (studio_.commands.has_work()) return 0.0;
   if (redraws_ > 0) return std::max(0.0, earliness());
   if (studio_.is_hand_on() || studio_.feed.is_computing() || timeline_.is_playing()) return 0.015;
-  return studio_.renderer.status().is_busy ? 0.1 : 1.0;
+  const double idle = studio_.renderer.status().is_busy ? 0.1 : 1.0;
+  return std::min(idle, studio_.comparison.until_next_turn());
 }
 
 // Where the processor draws the interface too, that leaves two thirds of the time to the picture: how long it
@@ -90,6 +91,7 @@ void Interface::turn() {
   timeline_.play(studio_);
   studio_.files.autosave_if_due(studio_.is_hand_on());
   studio_.update_picture();
+  studio_.update_playblast();
   const bool due = earliness() <= 0.0 || window_.take_urgent();
   if (due && (redraws_ > 0 || studio_.renderer.status().is_busy)) {
     draw();
@@ -205,11 +207,19 @@ void Interface::show_dialogs() {
   const fs::path folder = path.empty() ? fs::path() : fs::path(path).parent_path();
   if (std::exchange(studio_.ask_open, false))
     open_dialog_.open("Open", folder, "", {".plinian", ".vdb", ".json", ".chan", ".exr"}, false);
+  if (std::exchange(studio_.ask_reference, false))
+    reference_dialog_.open("Load a reference", folder, "", {".exr", ".png"}, false);
+  if (std::exchange(studio_.ask_playblast, false)) playblast_dialog_.open(studio_);
+  playblast_dialog_.show(studio_);
+  if (std::exchange(studio_.ask_plate, false))
+    plate_dialog_.open("Load a plate", folder, "", {".exr", ".png"}, false);
   if (std::exchange(studio_.ask_save_as, false))
     save_dialog_.open("Save as", folder, path.empty() ? "scene.plinian" : fs::path(path).filename().string(),
                       {".plinian"}, true);
   if (const auto chosen = open_dialog_.show()) studio_.files.open(*chosen);
-  if (const auto chosen = save_dialog_.show()) studio_.run("save " + graph::quote(*chosen));
+  if (const auto chosen = reference_dialog_.show()) studio_.run("loadReference " + graph::quote(*chosen));
+  if (const auto chosen = plate_dialog_.show()) studio_.run("loadReference -plate " + graph::quote(*chosen));
+  if (const auto chosen = save_dialog_.show()) studio_.files.save_as(*chosen);
   show_unsaved_question(studio_);
   show_recovery(studio_);
   show_hotkey_list(studio_);

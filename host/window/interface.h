@@ -9,6 +9,7 @@
 #include "host/window/panels/layout.h"
 #include "host/window/panels/light_panel.h"
 #include "host/window/panels/outliner_panel.h"
+#include "host/window/panels/playblast_dialog.h"
 #include "host/window/panels/timeline_panel.h"
 #include "host/window/panels/viewport_panel.h"
 #include "host/window/platform/main_window.h"
@@ -47,7 +48,8 @@ class Interface {
   AttributePanel attributes_;
   TimelinePanel timeline_;
   ConsolePanel console_;
-  FileDialog open_dialog_, save_dialog_;
+  FileDialog open_dialog_, save_dialog_, reference_dialog_, plate_dialog_;
+  PlayblastDialog playblast_dialog_;
   double draw_ms_ = 0.0;  // of the last drawing
   std::chrono::steady_clock::time_point drawn_{};
   int redraws_ = 3;

@@ -1,6 +1,8 @@
 // Puts the parts together, and asks for pictures.
 #include "host/window/studio.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -9,6 +11,7 @@
 
 #include "core/integrate/map_renderer.h"
 #include "core/scene/resources.h"
+#include "host/graph/files/scene_writer.h"
 #include "host/window/view/same_picture.h"
 #include "viewport/gl_renderer.h"
 
@@ -46,7 +49,8 @@ Studio::Studio(std::function<void()> wake, const std::string& trace_path)
       viewpoint(workspace, feed),
       renderer(make_renderer, wake),
       developer(wake),
-      comparison(development, wake),
+      comparison(workspace, development, wake),
+      snapshots(workspace),
       inspector(wake),
       files(workspace, commands, viewpoint, console, trace) {
   files.frame_all = [this] { viewpoint.frame(false, picture_size); };
@@ -76,6 +80,32 @@ void Studio::update_picture() {
 
 void Studio::render_reference() {
   if (asked_) comparison.render_reference(*asked_, number_);
+}
+
+void Studio::start_playblast(const PlayblastSettings& settings) {
+  try {
+    playblast.start(settings, graph::write_scene(session().graph()), session().scene_folder());
+  } catch (const std::exception& error) {
+    console.add(LineKind::error, error.what());
+  }
+}
+
+void Studio::update_playblast() {
+  for (const Playblast::End& end : playblast.poll()) {
+    console.add(end.succeeded ? LineKind::note : LineKind::error, end.line);
+    trace.note(end.line);
+  }
+}
+
+void Studio::set_gate(ivec2 size) {
+  commands.later([=, this] {
+    const graph::Node* settings = scene::first_of_type(session().graph(), "renderSettings");
+    if (!settings) commands.run_now("createNode renderSettings -name settings");
+    settings = scene::first_of_type(session().graph(), "renderSettings");
+    const std::string key = commands.new_merge_key("gate");
+    commands.run_now(fmt::format("setAttr {}.width {}", settings->name, size.x), key);
+    commands.run_now(fmt::format("setAttr {}.height {}", settings->name, size.y), key);
+  });
 }
 
 }  // namespace plinian::window

@@ -12,7 +12,9 @@
 #include "host/scene/workspace.h"
 #include "host/window/commands/command_queue.h"
 #include "host/window/compare/comparison.h"
+#include "host/window/compare/snapshots.h"
 #include "host/window/console/console_log.h"
+#include "host/window/files/playblast.h"
 #include "host/window/files/scene_files.h"
 #include "host/window/hotkeys/hotkeys.h"
 #include "host/window/navigation/viewpoint.h"
@@ -58,8 +60,11 @@ class Studio {
 
   // What it is compared with.
   Comparison comparison;
+  Snapshots snapshots;
   /// Renders the offline reference of what is looked at.
   void render_reference();
+  /// Makes pictures of the scene that size [pixels], by commands.
+  void set_gate(ivec2 size);
   /// Whether what it is compared with shows another scene or view by now.
   bool is_other_old() const { return comparison.is_old(number_); }
 
@@ -67,12 +72,18 @@ class Studio {
   Inspector inspector;
 
   SceneFiles files;
+  Playblast playblast;
+  /// Errors go to the console.
+  void start_playblast(const PlayblastSettings& settings);
+  /// Tells the console how it ended. To be called once a turn.
+  void update_playblast();
 
   // What the panels tell one another.
   bool show_hotkeys = false, show_display = false, show_panels = true;
   bool light_key_held = false;  // the mouse turns the key light
   bool focus_console = false, wants_quit = false, quit = false;
-  bool ask_open = false, ask_save_as = false;
+  bool ask_open = false, ask_save_as = false, ask_reference = false, ask_plate = false;
+  bool ask_playblast = false, show_snapshots = true;
 
  private:
   std::optional<SceneSnapshot> asked_;  // that a picture was asked for last

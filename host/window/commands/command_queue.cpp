@@ -26,18 +26,21 @@ void CommandQueue::run(const std::string& line, const std::string& merge_key, bo
   later([=, this] { run_now(line, merge_key, typed); });
 }
 
-void CommandQueue::run_now(const std::string& line, const std::string& merge_key, bool typed) {
+bool CommandQueue::run_now(const std::string& line, const std::string& merge_key, bool typed) {
+  bool done = false;
   merge_key_ = merge_key;
   const double begin = trace_.milliseconds();
   try {
     for (const std::string& answer : session_.execute(line, merge_key))
       if (typed) console_.add(LineKind::answer, answer);
+    done = true;
   } catch (const std::exception& error) {
     if (typed) console_.add(LineKind::command, line);
     console_.add(LineKind::error, error.what());
   }
   merge_key_.clear();
   if (trace_.is_on()) trace_.note(fmt::format("ran {} ({:.1f} ms)", line, trace_.milliseconds() - begin));
+  return done;
 }
 
 void CommandQueue::end_drag() {

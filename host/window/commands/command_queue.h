@@ -31,8 +31,8 @@ class CommandQueue {
 
   /// Runs a command after this turn. merge_key: those of one drag share it. typed: show what it answers.
   void run(const std::string& line, const std::string& merge_key = "", bool typed = false);
-  /// ... at once; for tasks. Errors go to the console.
-  void run_now(const std::string& line, const std::string& merge_key = "", bool typed = false);
+  /// ... at once; for tasks. Errors go to the console. Returns whether there was none.
+  bool run_now(const std::string& line, const std::string& merge_key = "", bool typed = false);
   /// Ends a drag: what follows is another step of undo.
   void end_drag();
   void later(std::function<void()> task) { tasks_.push_back(std::move(task)); }

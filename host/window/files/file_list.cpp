@@ -54,7 +54,7 @@ std::vector<FileEntry> list_files(const fs::path& folder, const std::vector<std:
       folders.push_back({name, name + "/", true});
     else if (!has_extension(entry->path(), extensions))
       continue;
-    else if (name.ends_with(".vdb") && split(name, numbered))
+    else if (has_extension(entry->path(), {".vdb", ".exr", ".png"}) && split(name, numbered))
       sequences[numbered.pattern].emplace_back(numbered.number, name);
     else
       files.push_back({name, name, false});

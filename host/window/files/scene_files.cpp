@@ -1,6 +1,7 @@
 // From files to the scene, and from the scene to what is kept aside.
 #include "host/window/files/scene_files.h"
 
+#include <cctype>
 #include <filesystem>
 #include <utility>
 
@@ -21,15 +22,27 @@ fs::path autosave_folder() {
   return folder.empty() ? folder : folder / "unsaved";
 }
 
+fs::path recent_file() {
+  const fs::path folder = user_state_folder();
+  return folder.empty() ? folder : folder / "recent";
+}
+
 bool is_scene(const std::string& path) {
   return path.ends_with(".plinian");
+}
+
+bool is_picture(const std::string& path) {
+  std::string extension = fs::path(path).extension().string();
+  for (char& c : extension) c = char(std::tolower((unsigned char)c));
+  return extension == ".exr" || extension == ".png";
 }
 
 }  // namespace
 
 SceneFiles::SceneFiles(scene::Workspace& workspace, CommandQueue& commands, Viewpoint& viewpoint,
                        ConsoleLog& console, Trace& trace)
-    : workspace_(workspace),
+    : recent(recent_file()),
+      workspace_(workspace),
       commands_(commands),
       viewpoint_(viewpoint),
       console_(console),
@@ -39,7 +52,8 @@ SceneFiles::SceneFiles(scene::Workspace& workspace, CommandQueue& commands, View
 }
 
 // Everything that a picture needs, made at once: one step of undo.
-void SceneFiles::import_whole(const std::string& input) {
+bool SceneFiles::import_whole(const std::string& input) {
+  bool done = false;
   commands_.job = {"reading " + fs::path(input).filename().string()};
   try {
     const graph::History::Scope scope(session().history(), "import " + input);
@@ -49,6 +63,7 @@ void SceneFiles::import_whole(const std::string& input) {
     const scene::ImportReport report = scene::import_description(session(), describe_input(input), options);
     for (const std::string& line : report.notes) console_.add(LineKind::note, line);
     for (const std::string& line : report.warnings) console_.add(LineKind::warning, line);
+    done = true;
   } catch (const SceneLoadCancelled&) {
     console_.add(LineKind::note, input + ": cancelled");
   } catch (const std::exception& error) {
@@ -56,12 +71,15 @@ void SceneFiles::import_whole(const std::string& input) {
   }
   commands_.muted = false;
   commands_.job = {};
+  // A procedural medium is no file.
+  if (done && fs::path(input).has_extension()) recent.add(input);
+  return done;
 }
 
 void SceneFiles::begin_with(const std::string& input) {
   commands_.later([=, this] {
     if (is_scene(input)) {
-      commands_.run_now("open " + graph::quote(input));
+      if (commands_.run_now("open " + graph::quote(input))) recent.add(input);
       return;
     }
     import_whole(input);
@@ -86,12 +104,19 @@ void SceneFiles::open(const std::string& path) {
   unless_unsaved([=, this] {
     viewpoint_.look = {};
     viewpoint_.history.clear();
-    commands_.run_now("open -force " + graph::quote(path));
+    if (commands_.run_now("open -force " + graph::quote(path))) recent.add(path);
+  });
+}
+
+void SceneFiles::save_as(const std::string& path) {
+  commands_.later([=, this] {
+    if (commands_.run_now("save " + graph::quote(path))) recent.add(path);
   });
 }
 
 void SceneFiles::add(const std::string& path) {
   if (is_scene(path)) return open(path);
+  if (is_picture(path)) return commands_.run("loadReference " + graph::quote(path));
   commands_.later([=, this] {
     const bool bare = !scene::first_of_type(session().graph(), "camera") &&
                       !scene::first_of_type(session().graph(), "atfmVolume");
@@ -101,8 +126,10 @@ void SceneFiles::add(const std::string& path) {
       return;
     }
     commands_.job = {"reading " + fs::path(path).filename().string()};
-    commands_.run_now("import " + graph::quote(path));
+    const bool done = commands_.run_now("import " + graph::quote(path));
     commands_.job = {};
+    if (!done) return;
+    recent.add(path);
     commands_.later([this] { frame_all(); });
   });
 }

@@ -10,6 +10,7 @@
 #include "host/scene/workspace.h"
 #include "host/window/commands/command_queue.h"
 #include "host/window/files/autosave.h"
+#include "host/window/files/recent_files.h"
 #include "host/window/navigation/viewpoint.h"
 
 namespace plinian::window {
@@ -21,7 +22,8 @@ class SceneFiles {
 
   /// Asks about unsaved changes where there are any.
   void open(const std::string& path);
-  /// Adds a volume or a scene; a scene without media is framed and lit.
+  void save_as(const std::string& path);
+  /// Adds a volume or a scene; a scene without media is framed and lit. A picture becomes the reference.
   void add(const std::string& path);
   /// What the program begins with: a scene, a volume or the name of a procedural medium.
   void begin_with(const std::string& input);
@@ -30,6 +32,8 @@ class SceneFiles {
 
   std::function<void()> after_unsaved;  // what waits for the answer about unsaved changes
   void unless_unsaved(std::function<void()> task);
+
+  RecentFiles recent;
 
   // What is kept for after a crash.
   double autosave_seconds = 30.0;
@@ -45,7 +49,7 @@ class SceneFiles {
 
  private:
   void keep_unsaved();
-  void import_whole(const std::string& input);
+  bool import_whole(const std::string& input);
   graph::Session& session() { return workspace_.session(); }
 
   scene::Workspace& workspace_;

@@ -8,10 +8,15 @@ namespace plinian::window {
 namespace {
 
 void keep_picture(Studio& studio) {
-  if (const ViewPicturePtr picture = studio.renderer.picture(); picture && !picture->quick)
-    studio.comparison.keep(picture, "kept");
-  else
+  const ViewPicturePtr picture = studio.renderer.picture();
+  if (!picture || picture->quick) {
     studio.console.add(LineKind::note, "only a picture that is past its quick pass can be kept");
+    return;
+  }
+  for (const std::string& name : studio.snapshots.keep(picture, studio.developer.developed()))
+    studio.console.add(LineKind::note, name + " was let go: snapshots hold all the memory that they may");
+  studio.comparison.keep(picture, studio.snapshots.all().back().name, OtherKind::snapshot);
+  studio.show_snapshots = true;
 }
 
 void key_selection(Studio& studio) {
@@ -33,8 +38,12 @@ bool is_of_the_view(Action action) {
     case Action::camera_forth:
     case Action::scene_camera:
     case Action::wipe:
+    case Action::side_by_side:
+    case Action::flicker:
+    case Action::flicker_turn:
     case Action::difference:
     case Action::probe:
+    case Action::flip:
     case Action::toggle_display:
     case Action::toggle_panels:
     case Action::hotkey_list:
@@ -95,12 +104,30 @@ void act(Studio& studio, Action action) {
     case Action::reference:
       return studio.render_reference();
     case Action::wipe:
-      comparison.wipes = comparison.other && !comparison.wipes;
-      studio.development.difference = false;
+      return comparison.toggle(CompareMode::wipe);
+    case Action::side_by_side:
+      return comparison.toggle(CompareMode::side_by_side);
+    case Action::flicker:
+      if (comparison.flicker_rate <= 0.0f) comparison.flicker_rate = 2.0f;
+      return comparison.toggle(CompareMode::flicker);
+    case Action::flicker_turn:
+      if (comparison.mode() == CompareMode::flicker && comparison.flicker_rate <= 0.0f) {
+        comparison.flicker_other = !comparison.flicker_other;
+      } else {
+        comparison.set_mode(CompareMode::flicker);
+        comparison.flicker_rate = 0.0f;
+        comparison.flicker_other = true;
+      }
       return;
     case Action::difference:
-      studio.development.difference = comparison.other && !studio.development.difference;
-      comparison.wipes = false;
+      return comparison.toggle(CompareMode::difference);
+    case Action::flip:
+      return comparison.toggle(CompareMode::flip);
+    case Action::load_reference:
+      studio.ask_reference = true;
+      return;
+    case Action::playblast:
+      studio.ask_playblast = true;
       return;
     case Action::probe:
       studio.inspector.on = !studio.inspector.on;
@@ -122,6 +149,7 @@ void act(Studio& studio, Action action) {
     case Action::cancel:
       studio.commands.job.cancelled = true;
       comparison.stop_reference();
+      studio.playblast.cancel();
       if (studio.commands.job.what.empty()) studio.feed.cancel();
       return;
     default:

@@ -1,4 +1,4 @@
-// The wipe and the figures.
+// The wipe, the other picture, and the figures.
 #include "host/window/panels/comparison_overlay.h"
 
 #include <fmt/format.h>
@@ -11,56 +11,172 @@
 
 namespace plinian::window {
 
-void ComparisonOverlay::take_picture(Studio& studio, const std::string& how) {
+namespace {
+
+ImTextureID texture_id(const PictureTexture& texture) {
+  return ImTextureID(std::intptr_t(texture.name()));
+}
+
+// A part of a picture: a convex polygon [points] of where the whole of it is.
+void add_image_polygon(ImDrawList* list, ImTextureID texture, const std::vector<vec2>& polygon,
+                       const PaneRect& place) {
+  if (polygon.size() < 3) return;
+  const int corners = int(polygon.size());
+  list->PushTextureID(texture);
+  list->PrimReserve((corners - 2) * 3, corners);
+  const auto first = ImDrawIdx(list->_VtxCurrentIdx);
+  for (int i = 2; i < corners; ++i) {
+    list->PrimWriteIdx(first);
+    list->PrimWriteIdx(ImDrawIdx(first + i - 1));
+    list->PrimWriteIdx(ImDrawIdx(first + i));
+  }
+  for (const vec2& corner : polygon)
+    list->PrimWriteVtx(to_im(corner), to_im((corner - place.begin) / place.size), 0xffffffff);
+  list->PopTextureID();
+}
+
+std::string size_text(ivec2 size) {
+  return fmt::format("{}x{}", size.x, size.y);
+}
+
+}  // namespace
+
+void ComparisonOverlay::take_picture(Studio& studio, const DevelopedPtr& shown) {
   Comparison& comparison = studio.comparison;
   if (!comparison.other) return;
-  if (comparison.other != asked_ || how != asked_how_) {
-    Development plain = studio.development;
-    plain.against = nullptr;
-    plain.difference = false;
-    comparison.developer.ask(comparison.other, plain);
-    asked_ = comparison.other;
+  // As it was matched, where it was.
+  const bool matched =
+      shown && shown->other && comparison.kind == OtherKind::file && comparison.mode() != CompareMode::off;
+  const ViewPicturePtr other = matched ? shown->other : comparison.other;
+  Development plain = studio.development;
+  plain.against = nullptr;
+  plain.against_file = nullptr;
+  plain.seen = Seen::picture;
+  const std::string how = words_of(plain);
+  if (other != asked_ || how != asked_how_) {
+    comparison.developer.ask(other, plain);
+    asked_ = other;
     asked_how_ = how;
   }
   texture_.show(comparison.developer.developed());
 }
 
-// The other picture left of a line that can be dragged.
+// The other picture on one side of a line that is dragged, and turned by its grips.
 void ComparisonOverlay::show_wipe(Studio& studio, const PaneRect& picture) {
-  const vec2 begin = picture.begin, end = picture.begin + picture.size;
+  Wipe& wipe = studio.comparison.wipe;
+  const vec2 begin = picture.begin, size = picture.size;
   ImDrawList* list = ImGui::GetWindowDrawList();
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const float x = std::round(begin.x + picture.size.x * studio.comparison.wipe);
-  list->PushClipRect(to_im(begin), {x, end.y}, true);
-  list->AddImage(ImTextureID(std::intptr_t(texture_.name())), to_im(begin), to_im(end));
+  add_image_polygon(list, texture_id(texture_), wipe.other_side(begin, size), picture);
+  const vec2 mouse(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
+  const vec2 middle = begin + wipe.at * size;
+  const float reach = std::min(size.x, size.y) * 0.3f;
+  const vec2 forward = middle + wipe.along() * reach, backward = middle - wipe.along() * reach;
+  const bool inside = mouse.x > begin.x && mouse.y > begin.y && mouse.x < begin.x + size.x &&
+                      mouse.y < begin.y + size.y && ImGui::IsWindowHovered();
+  const auto near_to = [&](vec2 point) { return glm::length(mouse - point) < scaled(9); };
+  Hold under = Hold::nothing;
+  if (inside && std::abs(wipe.distance(mouse, begin, size)) < scaled(6)) under = Hold::line;
+  if (inside && near_to(forward)) under = Hold::forward_grip;
+  if (inside && near_to(backward)) under = Hold::backward_grip;
+  if (under != Hold::nothing && ImGui::IsMouseClicked(0) && !ImGui::GetIO().KeyAlt) {
+    hold_ = under;
+    grabbed_ = mouse - middle;
+  }
+  if (!ImGui::IsMouseDown(0)) hold_ = Hold::nothing;
+  if (hold_ == Hold::line) wipe.move_to(mouse - grabbed_, begin, size);
+  if (hold_ == Hold::forward_grip) wipe.turn_to(mouse, begin, size, true);
+  if (hold_ == Hold::backward_grip) wipe.turn_to(mouse, begin, size, false);
+  const Hold active = hold_ != Hold::nothing ? hold_ : under;
+  if (active == Hold::line)
+    ImGui::SetMouseCursor(std::abs(wipe.normal().x) > 0.7f ? ImGuiMouseCursor_ResizeEW
+                                                           : ImGuiMouseCursor_ResizeNS);
+  else if (active != Hold::nothing)
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  const unsigned line_colour = active != Hold::nothing ? colour::accent : 0xb0ffffff;
+  list->PushClipRect(to_im(begin), to_im(begin + size), true);
+  const float far = size.x + size.y;
+  list->AddLine(to_im(middle - wipe.along() * far), to_im(middle + wipe.along() * far), line_colour);
+  for (const vec2& grip : {forward, backward}) {
+    list->AddCircleFilled(to_im(grip), scaled(4), 0xff202020);
+    list->AddCircle(to_im(grip), scaled(4), line_colour, 0, scaled(1.5f));
+  }
   list->PopClipRect();
-  const bool near = std::abs(mouse.x - x) < scaled(6) && mouse.y > begin.y && mouse.y < end.y;
-  if (near && ImGui::IsMouseClicked(0) && !ImGui::GetIO().KeyAlt && ImGui::IsWindowHovered()) wiping_ = true;
-  if (!ImGui::IsMouseDown(0)) wiping_ = false;
-  if (wiping_)
-    studio.comparison.wipe = std::clamp((mouse.x - begin.x) / std::max(1.0f, picture.size.x), 0.0f, 1.0f);
-  if (near || wiping_) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-  list->AddLine({x, begin.y}, {x, end.y}, near || wiping_ ? colour::accent : 0xb0ffffff);
-  draw_text({begin.x + scaled(10), begin.y + scaled(8)}, colour::text,
-            studio.comparison.name + (studio.is_other_old() ? ", of another scene or view" : ""));
+  studio.trace.item("wipe grip", forward - vec2(4.0f), vec2(8.0f));
+  studio.trace.item("wipe line", middle - vec2(4.0f), vec2(8.0f));
+}
+
+// In its own shape, within the place.
+void ComparisonOverlay::draw_whole(const PaneRect& place) const {
+  const DevelopedPtr& shown = texture_.shown();
+  if (!shown) return;
+  const float scale = std::min(place.size.x / float(shown->width), place.size.y / float(shown->height));
+  const vec2 size = vec2(shown->width, shown->height) * scale;
+  const vec2 begin = place.begin + (place.size - size) * 0.5f;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled(to_im(place.begin), to_im(place.begin + place.size), 0xff0e0e0e);
+  list->AddImage(texture_id(texture_), to_im(begin), to_im(begin + size));
+}
+
+std::vector<std::string> comparison_lines(const Studio& studio, const DevelopedPtr& shown) {
+  const Comparison& comparison = studio.comparison;
+  std::vector<std::string> lines;
+  for (const ReferenceImage* image : {&comparison.images.reference, &comparison.images.plate})
+    if (!image->problem().empty()) lines.push_back(image->problem());
+  if (const auto share = comparison.reference_share())
+    lines.push_back(fmt::format("rendering the reference: {:.0f} %", 100.0 * *share));
+  if (!comparison.other) return lines;
+  const bool is_on = comparison.mode() != CompareMode::off;
+  if (const auto wanted = comparison.wanted_size(); wanted && studio.feed.snapshot()) {
+    const SceneSnapshot& scene = studio.feed.snapshot()->snapshot;
+    const ivec2 gate(scene.width, scene.height);
+    if (gate != *wanted)
+      lines.push_back(fmt::format("{} is {}, the gate {}: set the gate to {} to measure", comparison.name,
+                                  size_text(*wanted), size_text(gate), size_text(*wanted)));
+    else if (studio.viewpoint.look.free && is_on)
+      lines.push_back("C looks through the scene's camera, to measure against " + comparison.name);
+  } else if (is_on && comparison.kind == OtherKind::rendered && studio.is_other_old()) {
+    lines.push_back("the reference is of another scene or view: Shift+R renders it anew");
+  } else if (is_on && shown && !shown->psnr && !shown->picture->quick) {
+    const ivec2 size(comparison.other->frame.width, comparison.other->frame.height);
+    lines.push_back(fmt::format("{} is {}, the picture {}x{}: give the pane its old size to measure",
+                                comparison.name, size_text(size), shown->width, shown->height));
+  }
+  if (shown && shown->psnr) {
+    std::string figures = std::isfinite(*shown->psnr) ? fmt::format("{:.1f} dB", *shown->psnr) : "identical";
+    figures = fmt::format("against {}: {}   SSIM {:.4f}", comparison.name, figures, *shown->ssim);
+    if (shown->flip) figures += fmt::format("   FLIP {:.4f}", *shown->flip);
+    if (comparison.mode() == CompareMode::difference) figures = "4 x difference   " + figures;
+    lines.push_back(figures);
+    if (!shown->matched.empty()) lines.push_back("matched before: " + shown->matched);
+  }
+  return lines;
 }
 
 void ComparisonOverlay::show(Studio& studio, const PaneRect& pane, const PaneRect& picture,
-                             const DevelopedPtr& shown) {
-  if (studio.comparison.wipes && texture_.name() != 0) show_wipe(studio, picture);
-  std::string text;
-  if (studio.comparison.other && shown && shown->psnr)
-    text = fmt::format("{}against {}: {:.1f} dB   SSIM {:.4f}",
-                       studio.development.difference ? "4 x difference, " : "", studio.comparison.name,
-                       *shown->psnr, *shown->ssim);
-  else if (studio.comparison.other && (studio.comparison.wipes || studio.development.difference) &&
-           studio.is_other_old())
-    text = "the picture compared with is of another scene or view: Shift+R renders the reference anew";
-  if (const auto share = studio.comparison.reference_share())
-    text += fmt::format("{}reference {:.0f} %", text.empty() ? "" : "   ", 100.0 * *share);
-  if (text.empty()) return;
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  draw_text({pane.begin.x + pane.size.x - size.x - scaled(10), pane.begin.y + scaled(8)}, colour::text, text);
+                             const PaneRect& other, const DevelopedPtr& shown, double pixel_ratio) {
+  const Comparison& comparison = studio.comparison;
+  texture_.filter(picture.size * float(pixel_ratio));
+  const bool there = comparison.other && texture_.name() != 0;
+  const CompareMode mode = there ? comparison.mode() : CompareMode::off;
+  if (mode == CompareMode::wipe)
+    show_wipe(studio, picture);
+  else
+    hold_ = Hold::nothing;
+  const bool others_turn = comparison.is_others_turn();
+  if (mode == CompareMode::side_by_side) draw_whole(other);
+  if (mode == CompareMode::flicker && others_turn) draw_whole(picture);
+  const vec2 corner(scaled(10), scaled(8));
+  if (mode == CompareMode::wipe || (mode == CompareMode::flicker && others_turn))
+    draw_text(picture.begin + corner, colour::text, comparison.name);
+  if (mode == CompareMode::side_by_side) draw_text(other.begin + corner, colour::text, comparison.name);
+  if (mode == CompareMode::flicker && !others_turn)
+    draw_text(picture.begin + corner, colour::faint_text, "now");
+  vec2 at(pane.begin.x + pane.size.x - corner.x, pane.begin.y + corner.y);
+  for (const std::string& line : comparison_lines(studio, shown)) {
+    const float width = ImGui::CalcTextSize(line.c_str()).x;
+    draw_text({std::max(pane.begin.x + corner.x, at.x - width), at.y}, colour::text, line);
+    at.y += ImGui::GetTextLineHeight() + scaled(3);
+  }
 }
 
 }  // namespace plinian::window

@@ -60,6 +60,48 @@ void looks_menu(Studio& studio) {
     if (ImGui::MenuItem(look.c_str())) studio.run("preset apply " + graph::quote(look) + " " + medium->name);
 }
 
+void recent_menu(Studio& studio) {
+  const std::vector<std::string> paths = studio.files.recent.all();
+  if (paths.empty()) ImGui::TextDisabled("nothing yet");
+  for (const std::string& path : paths)
+    if (ImGui::MenuItem(path.c_str())) studio.files.open(path);
+  if (paths.empty()) return;
+  ImGui::Separator();
+  if (ImGui::MenuItem("Forget them")) studio.files.recent.clear();
+}
+
+void compare_menu(Studio& studio) {
+  Comparison& comparison = studio.comparison;
+  item(studio, "Keep a snapshot", Action::snapshot_picture);
+  item(studio, "Render the reference", Action::reference);
+  if (ImGui::MenuItem("Stop the reference", "", false, comparison.reference_share().has_value()))
+    comparison.stop_reference();
+  item(studio, "Load a reference...", Action::load_reference);
+  if (ImGui::MenuItem("Load a plate...")) studio.ask_plate = true;
+  const auto wanted = comparison.wanted_size();
+  const std::string gate =
+      wanted ? fmt::format("Set the gate to {}x{}", wanted->x, wanted->y) : "Set the gate to the reference's";
+  if (ImGui::MenuItem(gate.c_str(), "", false, wanted.has_value())) studio.set_gate(*wanted);
+  ImGui::Separator();
+  const bool there = comparison.other != nullptr;
+  const auto way = [&](const char* label, Action action, CompareMode mode) {
+    item(studio, label, action, there, comparison.mode() == mode);
+  };
+  way("Wipe", Action::wipe, CompareMode::wipe);
+  way("Side by side", Action::side_by_side, CompareMode::side_by_side);
+  way("Flicker", Action::flicker, CompareMode::flicker);
+  way("Flicker by hand", Action::flicker_turn, CompareMode::flicker);
+  way("Difference", Action::difference, CompareMode::difference);
+  way("FLIP", Action::flip, CompareMode::flip);
+  ImGui::MenuItem("Match exposure and background", "", &studio.development.matches,
+                  comparison.kind == OtherKind::file);
+  ImGui::Separator();
+  item(studio, "Probe a pixel", Action::probe, true, studio.inspector.on);
+  ImGui::MenuItem("Snapshots", "", &studio.show_snapshots);
+  if (ImGui::MenuItem("Compare with nothing", "", false, there))
+    comparison.keep(nullptr, "", OtherKind::none);
+}
+
 }  // namespace
 
 void show_menu(Studio& studio) {
@@ -68,6 +110,10 @@ void show_menu(Studio& studio) {
   if (ImGui::BeginMenu("Scene")) {
     item(studio, "New", Action::new_scene);
     item(studio, "Open...", Action::open_scene);
+    if (ImGui::BeginMenu("Open recent")) {
+      recent_menu(studio);
+      ImGui::EndMenu();
+    }
     if (ImGui::BeginMenu("Begin with")) {
       for (const char* kind : {"ash", "cloud", "sandstorm", "explosion"})
         if (ImGui::MenuItem(kind))
@@ -81,6 +127,10 @@ void show_menu(Studio& studio) {
     ImGui::Separator();
     item(studio, "Save", Action::save_scene);
     item(studio, "Save as...", Action::save_scene_as);
+    ImGui::Separator();
+    item(studio, "Playblast...", Action::playblast, !studio.playblast.is_running());
+    if (ImGui::MenuItem("Stop the playblast", "", false, studio.playblast.is_running()))
+      studio.playblast.cancel();
     ImGui::Separator();
     if (ImGui::MenuItem("Quit")) studio.wants_quit = true;
     ImGui::EndMenu();
@@ -119,17 +169,7 @@ void show_menu(Studio& studio) {
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Compare")) {
-    item(studio, "Keep this picture", Action::snapshot_picture);
-    item(studio, "Render the reference", Action::reference);
-    if (ImGui::MenuItem("Stop the reference", "", false, studio.comparison.reference_share().has_value()))
-      studio.comparison.stop_reference();
-    ImGui::Separator();
-    item(studio, "Wipe", Action::wipe, studio.comparison.other != nullptr, studio.comparison.wipes);
-    item(studio, "Difference", Action::difference, studio.comparison.other != nullptr,
-         studio.development.difference);
-    item(studio, "Probe a pixel", Action::probe, true, studio.inspector.on);
-    if (ImGui::MenuItem("Forget it", "", false, studio.comparison.other != nullptr))
-      studio.comparison.keep(nullptr, "");
+    compare_menu(studio);
     ImGui::EndMenu();
   }
   ImGui::EndMainMenuBar();

@@ -37,6 +37,10 @@ void show_status(Studio& studio, const PaneRect& pane) {
     ImGui::Text("%s  %.0f %%", studio.commands.job.what.c_str(), 100.0 * studio.commands.job.share);
     ImGui::SameLine();
     ImGui::TextDisabled("Esc cancels");
+  } else if (studio.playblast.is_running()) {
+    ImGui::Text("playblast  %d of %d", studio.playblast.frames_done(), studio.playblast.frames());
+    ImGui::SameLine();
+    ImGui::TextDisabled("Esc stops it");
   } else if (studio.feed.is_computing()) {
     const auto progress = studio.feed.progress();
     ImGui::Text("computing %s  %.0f %%", progress.what.c_str(), 100.0 * progress.fraction);

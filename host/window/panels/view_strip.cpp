@@ -3,12 +3,74 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "host/window/fields/arithmetic.h"
 #include "host/window/hotkeys/actions.h"
 #include "host/window/panels/widgets.h"
 #include "host/window/platform/theme.h"
 
 namespace plinian::window {
+
+namespace {
+
+void note_item(Studio& studio, const char* name) {
+  studio.trace.item(name, vec2(ImGui::GetItemRectMin().x, ImGui::GetItemRectMin().y),
+                    vec2(ImGui::GetItemRectSize().x, ImGui::GetItemRectSize().y));
+}
+
+void show_ways_to_compare(Studio& studio) {
+  Comparison& comparison = studio.comparison;
+  const bool is_on = comparison.mode() != CompareMode::off;
+  ImGui::SameLine(0.0f, scaled(14));
+  ImGui::SetNextItemWidth(scaled(98));
+  if (is_on) ImGui::PushStyleColor(ImGuiCol_Text, colour::accent);
+  const bool open = ImGui::BeginCombo("##compare", is_on ? name_of(comparison.mode()) : "compare");
+  if (is_on) ImGui::PopStyleColor();
+  note_item(studio, "compare");
+  if (open) {
+    for (const CompareMode mode : compare_modes) {
+      if (ImGui::Selectable(name_of(mode), comparison.mode() == mode)) comparison.set_mode(mode);
+      note_item(studio, (std::string("compare ") + name_of(mode)).c_str());
+    }
+    ImGui::EndCombo();
+  } else {
+    help("How the picture is compared with " + comparison.name + ".");
+  }
+  if (comparison.mode() == CompareMode::flicker) {
+    FieldLook look;
+    look.width = scaled(60);
+    look.unit = "/s";
+    NumberRange rate;
+    rate.minimum = 0.0;
+    rate.maximum = 20.0;
+    ImGui::SameLine(0.0f, scaled(2));
+    const FieldEdit edit = number_field("##rate", comparison.flicker_rate, rate, look);
+    help("How often the pictures change places in a second; 0: by hand (X).");
+    if (edit.dragged) comparison.flicker_rate = float(*edit.dragged);
+    if (edit.typed)
+      if (const auto typed = typed_number(*edit.typed, comparison.flicker_rate))
+        comparison.flicker_rate = std::clamp(float(*typed), 0.0f, 20.0f);
+  }
+  const ReferenceImage& image = studio.comparison.images.reference;
+  if (comparison.mode() == CompareMode::flicker || comparison.kind != OtherKind::file || !image.picture() ||
+      image.picture()->layers.size() < 2)
+    return;
+  ImGui::SameLine(0.0f, scaled(2));
+  ImGui::SetNextItemWidth(scaled(76));
+  const std::string name = image.node() + ".layer";
+  const graph::Plug plug = studio.session().graph().plug(name);
+  const auto now = std::get<std::string>(studio.session().graph().find(plug.node)->value(plug.attribute));
+  if (ImGui::BeginCombo("##layer of the reference", now.empty() ? "RGB" : now.c_str())) {
+    for (const std::string& layer : image.picture()->layers)
+      if (ImGui::Selectable(layer.empty() ? "RGB" : layer.c_str(), layer == now))
+        studio.run("setAttr " + name + " " + graph::quote(layer));
+    ImGui::EndCombo();
+  }
+  help("The layer of " + comparison.name + " that is compared with.");
+}
+
+}  // namespace
 
 void show_view_strip(Studio& studio, const PaneRect& pane) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(scaled(8), scaled(4)));
@@ -28,7 +90,7 @@ void show_view_strip(Studio& studio, const PaneRect& pane) {
 
   Development& how = studio.development;
   FieldLook look;
-  look.width = scaled(104);
+  look.width = scaled(92);
   look.prefix = "exp";
   look.unit = "stops";
   look.changed = how.view.exposure != 0.0f;
@@ -50,7 +112,7 @@ void show_view_strip(Studio& studio, const PaneRect& pane) {
   }
   ImGui::SameLine(0.0f, scaled(6));
   static const char* const views[] = {"sRGB", "filmic", "OCIO"};
-  ImGui::SetNextItemWidth(scaled(84));
+  ImGui::SetNextItemWidth(scaled(76));
   if (ImGui::BeginCombo("##view", views[int(how.view.view)])) {
     for (int i = 0; i < 3; ++i)
       if (ImGui::Selectable(views[i], int(how.view.view) == i)) how.view.view = View(i);
@@ -58,7 +120,7 @@ void show_view_strip(Studio& studio, const PaneRect& pane) {
   }
   help("How linear radiance is turned into what the display shows.");
   ImGui::SameLine(0.0f, scaled(6));
-  ImGui::SetNextItemWidth(scaled(92));
+  ImGui::SetNextItemWidth(scaled(84));
   if (ImGui::BeginCombo("##layer", how.layer.empty() ? "beauty" : how.layer.c_str())) {
     for (const char* layer : {"beauty", "alpha", "depth", "ambient", "emission"}) {
       const bool beauty = std::string(layer) == "beauty";
@@ -72,15 +134,7 @@ void show_view_strip(Studio& studio, const PaneRect& pane) {
   if (toggle(studio.viewpoint.look.free ? "free camera" : "scene camera", !studio.viewpoint.look.free,
              "Look through the scene's camera (C). Moving the view leaves to a free one."))
     studio.viewpoint.look_through_scene_camera();
-  if (studio.comparison.other) {
-    ImGui::SameLine(0.0f, scaled(6));
-    if (toggle("wipe", studio.comparison.wipes,
-               "Wipe between the picture and the one kept (Shift+W); drag the line."))
-      act(studio, Action::wipe);
-    ImGui::SameLine(0.0f, scaled(2));
-    if (toggle("diff", studio.development.difference, "How far it is from the one kept (Shift+D)."))
-      act(studio, Action::difference);
-  }
+  if (studio.comparison.other) show_ways_to_compare(studio);
   if (studio.original_maps) {
     ImGui::SameLine(0.0f, scaled(6));
     if (toggle("full-range maps", true,

@@ -9,18 +9,18 @@
 
 #include "host/window/panels/overlay_text.h"
 #include "host/window/panels/viewport_notes.h"
+#include "host/window/platform/theme.h"
 
 namespace plinian::window {
 
 namespace {
 
-std::string words_of(const Development& how) {
-  std::string words =
-      fmt::format("{} {} {} {} {} {} {}", how.solo_ambient, int(how.view.view), how.view.exposure,
-                  how.view.ocio_config, how.view.ocio_display, how.view.ocio_view, how.layer);
-  words += fmt::format(" {} {}", static_cast<const void*>(how.against.get()), how.difference);
-  for (const std::string& light : how.solo) words += " " + light;
-  return words;
+// What is measured against a picture of the gate's size has that size, however large it is shown.
+std::optional<ivec2> measured_gate(const Studio& studio) {
+  if (studio.viewpoint.look.free || !studio.feed.snapshot()) return std::nullopt;
+  const SceneSnapshot& scene = studio.feed.snapshot()->snapshot;
+  const auto wanted = studio.comparison.wanted_size();
+  return wanted == ivec2(scene.width, scene.height) ? wanted : std::nullopt;
 }
 
 }  // namespace
@@ -36,11 +36,18 @@ void ViewportPanel::settle_size(Studio& studio, const PaneRect& pane, double pix
     else
       size.y = size.x / wanted;
   }
-  const ivec2 pixels(std::max(16, int(std::lround(size.x * pixel_ratio))),
-                     std::max(16, int(std::lround(size.y * pixel_ratio))));
-  studio.picture_size = pixels;
+  ivec2 pixels(std::max(16, int(std::lround(size.x * pixel_ratio))),
+               std::max(16, int(std::lround(size.y * pixel_ratio))));
   size = vec2(pixels) / float(pixel_ratio);
   picture_ = {pane.begin + glm::floor((pane.size - size) * 0.5f), size};
+  if (const auto gate = measured_gate(studio)) pixels = *gate;
+  studio.picture_size = pixels;
+  if (studio.comparison.mode() != CompareMode::side_by_side) return;
+  const float gap = scaled(4), half = (pane.size.x - gap) * 0.5f;
+  size *= std::min(1.0f, half / size.x);
+  const float top = std::floor(pane.begin.y + (pane.size.y - size.y) * 0.5f);
+  picture_ = {{std::floor(pane.begin.x + (half - size.x) * 0.5f), top}, size};
+  other_ = {picture_.begin + vec2(std::ceil(half + gap), 0.0f), size};
 }
 
 void ViewportPanel::take_picture(Studio& studio) {
@@ -51,10 +58,10 @@ void ViewportPanel::take_picture(Studio& studio) {
     asked_picture_ = picture;
     asked_development_ = how;
   }
-  comparison_.take_picture(studio, how);
   const DevelopedPtr before = texture_.shown();
   texture_.show(studio.developer.developed());
   const DevelopedPtr& shown = texture_.shown();
+  comparison_.take_picture(studio, shown);
   if (!shown || shown == before || !studio.trace.is_on()) return;
   const ViewPicture& p = *shown->picture;
   studio.trace.note(fmt::format("picture {} {}x{} passes {} {} {:.0f} ms maps {:.0f} view {:.0f}{}", p.number,
@@ -83,11 +90,12 @@ void ViewportPanel::show(Studio& studio, const PaneRect& pane, double pixel_rati
     const Frame& frame = texture_.shown()->picture->frame;
     const SceneSnapshot& scene = texture_.shown()->picture->scene;
     vec2 begin = picture_.begin, size = picture_.size;
-    if (scene.width != studio.picture_size.x || scene.height != studio.picture_size.y) {
+    if (std::abs(float(scene.width) * size.y - float(scene.height) * size.x) > size.x + size.y) {
       const float scale = std::min(size.x / float(frame.width), size.y / float(frame.height));
       size = vec2(frame.width, frame.height) * scale;
       begin = picture_.begin + (picture_.size - size) * 0.5f;
     }
+    texture_.filter(size * float(pixel_ratio));
     ImGui::GetWindowDrawList()->AddImage(ImTextureID(std::intptr_t(texture_.name())), to_im(begin),
                                          to_im(begin + size));
   }
@@ -97,13 +105,14 @@ void ViewportPanel::show(Studio& studio, const PaneRect& pane, double pixel_rati
                              ImGuiButtonFlags_MouseButtonRight);
   const bool hovered = ImGui::IsItemHovered();
   studio.trace.item("picture", picture_.begin, picture_.size);
-  comparison_.show(studio, pane, picture_, texture_.shown());
+  comparison_.show(studio, pane, picture_, other_, texture_.shown(), pixel_ratio);
   probe_.choose(studio, picture_, hovered && !comparison_.is_held());
   hand_.move(studio, picture_, hovered && !comparison_.is_held());
   show_notes(studio, pane, texture_.shown());
   if (hovered) show_pixel(texture_.shown(), picture_, pane);
   ImGui::End();
   probe_.show(studio, pane);
+  snapshots_.show(studio, pane);
 }
 
 }  // namespace plinian::window

@@ -4,6 +4,7 @@
 #include "host/window/panels/comparison_overlay.h"
 #include "host/window/panels/layout.h"
 #include "host/window/panels/probe_panel.h"
+#include "host/window/panels/snapshot_strip.h"
 #include "host/window/panels/viewport_hand.h"
 #include "host/window/studio.h"
 #include "host/window/view/picture_texture.h"
@@ -20,11 +21,12 @@ class ViewportPanel {
 
   PictureTexture texture_;
   ComparisonOverlay comparison_;
+  SnapshotStrip snapshots_;
   ViewportHand hand_;
   ProbePanel probe_;
   ViewPicturePtr asked_picture_;
   std::string asked_development_;
-  PaneRect picture_;  // [points] where it is in the window
+  PaneRect picture_, other_;  // [points] where it is in the window, and the one that it is compared with
 };
 
 }  // namespace plinian::window

@@ -1,9 +1,13 @@
 // Layers to radiance to bytes.
 #include "host/window/view/developer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "core/image/flip.h"
+#include "core/image/heat_map.h"
 #include "core/image/metrics.h"
 
 namespace plinian::window {
@@ -65,32 +69,94 @@ std::vector<std::uint8_t> difference_bytes(const Image& a, const Image& b) {
   return bytes;
 }
 
+// A picture at a place [-] of its sides, between the four pixels around it.
+vec3 sampled(const Frame& frame, float x, float y) {
+  const float u = std::clamp(x * float(frame.width) - 0.5f, 0.0f, float(frame.width - 1));
+  const float v = std::clamp(y * float(frame.height) - 0.5f, 0.0f, float(frame.height - 1));
+  const int x0 = int(u), y0 = int(v), x1 = std::min(x0 + 1, frame.width - 1),
+            y1 = std::min(y0 + 1, frame.height - 1);
+  const auto at = [&](int i, int j) { return frame.beauty[std::size_t(j) * frame.width + std::size_t(i)]; };
+  return glm::mix(glm::mix(at(x0, y0), at(x1, y0), u - float(x0)),
+                  glm::mix(at(x0, y1), at(x1, y1), u - float(x0)), v - float(y0));
+}
+
+// The plate in place of the background.
+void put_behind(Image& image, const Frame& frame, const Frame& plate) {
+  for (int y = 0; y < frame.height; ++y)
+    for (int x = 0; x < frame.width; ++x) {
+      const std::size_t i = std::size_t(y) * frame.width + std::size_t(x);
+      const vec3 t = frame.transmittance[i];
+      if (t == vec3(0.0f)) continue;
+      const vec3 change = t * sampled(plate, (float(x) + 0.5f) / float(frame.width),
+                                      (float(y) + 0.5f) / float(frame.height)) -
+                          frame.background[i];
+      for (int c = 0; c < 3; ++c) image.channels[std::size_t(c)].values[i] += change[c];
+    }
+}
+
+bool sees_beauty(const Development& how) {
+  return how.solo.empty() && !how.solo_ambient && how.layer.empty();
+}
+
+// A picture from a file, as it is measured.
+ViewPicturePtr matched_picture(const ViewPicture& picture, const Development& how, std::string& said) {
+  if (!how.matches || !sees_beauty(how)) return how.against;
+  const Match matched = match(picture.frame, picture.scene.background, how.against_file->picture);
+  said = matched.text();
+  auto other = std::make_shared<ViewPicture>(*how.against);
+  other->frame = matched.frame;
+  return other;
+}
+
+void measure(Developed& developed, const Image& image, const ViewPicture& picture, const Development& how) {
+  developed.other = how.against_file ? matched_picture(picture, how, developed.matched) : how.against;
+  const Image reference = visible_layers(developed.other->frame, how);
+  const PicturePair pair = pair_pictures(image, reference);
+  const PixelMetrics metrics = pixel_metrics(pair);
+  developed.psnr = metrics.psnr;
+  developed.ssim = ssim(pair, metrics.peak);
+  if (how.seen == Seen::difference) developed.bytes = difference_bytes(image, reference);
+  if (how.seen == Seen::flip) {
+    const FlipResult seen =
+        flip(pair.a, pair.reference, pair.width, pair.height, {.exposure = how.view.exposure});
+    developed.flip = seen.mean;
+    developed.bytes = heat_bytes(seen.map, 1.0f);
+  }
+}
+
 DevelopedPtr develop(const ViewPicturePtr& picture, const Development& how) {
   auto developed = std::make_shared<Developed>();
   developed->picture = picture;
   developed->width = picture->frame.width;
   developed->height = picture->frame.height;
   const Image image = visible_layers(picture->frame, how);
+  Image seen = image;
+  if (how.plate && sees_beauty(how)) put_behind(seen, picture->frame, how.plate->picture.frame);
   try {
-    developed->bytes = to_display_bytes(image, ViewTransform(how.view));
+    developed->bytes = to_display_bytes(seen, ViewTransform(how.view));
   } catch (const ImageError& error) {
     developed->error = error.what();
     developed->bytes =
-        to_display_bytes(image, ViewTransform({.view = View::srgb, .exposure = how.view.exposure}));
+        to_display_bytes(seen, ViewTransform({.view = View::srgb, .exposure = how.view.exposure}));
   }
-  const Frame* other = how.against ? &how.against->frame : nullptr;
-  if (!other || picture->quick || other->width != developed->width || other->height != developed->height)
-    return developed;
-  const Image reference = visible_layers(*other, how);
-  const PicturePair pair = pair_pictures(image, reference);
-  const PixelMetrics metrics = pixel_metrics(pair);
-  developed->psnr = metrics.psnr;
-  developed->ssim = ssim(pair, metrics.peak);
-  if (how.difference) developed->bytes = difference_bytes(image, reference);
+  if (how.against && !picture->quick && how.against->frame.width == developed->width &&
+      how.against->frame.height == developed->height)
+    measure(*developed, image, *picture, how);
   return developed;
 }
 
 }  // namespace
+
+std::string words_of(const Development& how) {
+  std::string words =
+      fmt::format("{} {} {} {} {} {} {}", how.solo_ambient, int(how.view.view), how.view.exposure,
+                  how.view.ocio_config, how.view.ocio_display, how.view.ocio_view, how.layer);
+  words += fmt::format(" {} {} {} {} {}", static_cast<const void*>(how.against.get()),
+                       static_cast<const void*>(how.against_file.get()), how.matches, int(how.seen),
+                       static_cast<const void*>(how.plate.get()));
+  for (const std::string& light : how.solo) words += " " + light;
+  return words;
+}
 
 Image visible_layers(const Frame& frame, const Development& how) {
   const std::vector<vec3> seen = layer_of(frame, how);

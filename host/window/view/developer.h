@@ -14,19 +14,29 @@
 #include <vector>
 
 #include "core/image/view_transform.h"
+#include "host/window/compare/reference_images.h"
 #include "host/window/view/view_renderer.h"
 
 namespace plinian::window {
 
+/// What is seen of a picture that is compared.
+enum class Seen { picture, difference, flip };
+
 /// How a picture is looked at. No part of the scene.
 struct Development {
   ViewSettings view;
-  std::set<std::string> solo;  // lights that are seen alone; empty: all, with everything else
-  bool solo_ambient = false;   // ... and the sky's
-  ViewPicturePtr against;      // measured against this one, where it has the same size
-  bool difference = false;     // ... and the signed difference is what is seen
-  std::string layer;           // beauty (or empty), alpha, depth, emission, ambient
+  std::set<std::string> solo;   // lights that are seen alone; empty: all, with everything else
+  bool solo_ambient = false;    // ... and the sky's
+  ViewPicturePtr against;       // measured against this one, where it has the same size
+  FilePicturePtr against_file;  // ... which is this one, from a file
+  bool matches = true;          // a file's exposure and background are matched first
+  Seen seen = Seen::picture;
+  FilePicturePtr plate;  // behind what has an alpha, of which it takes the shape
+  std::string layer;     // beauty (or empty), alpha, depth, emission, ambient
 };
+
+/// Words that differ where developments do.
+std::string words_of(const Development& how);
 
 struct Developed {
   int width = 0, height = 0;        // [pixels]
@@ -34,11 +44,15 @@ struct Developed {
   ViewPicturePtr picture;           // that it was made of
   std::optional<double> psnr;       // [dB] of linear radiance against the other picture, see metrics.h
   std::optional<double> ssim;       // [-] likewise
+  std::optional<double> flip;       // [-] mean, where it is what is seen
+  ViewPicturePtr other;             // that it was measured against, as it was matched; null: it was not
+  std::string matched;              // what was done to the other for that; empty: nothing
   std::string error;                // why the view could not be used; then it is sRGB
 };
 using DevelopedPtr = std::shared_ptr<const Developed>;
 
-/// What one sees of a frame, as a picture with R, G and B. [radiance, or a share for alpha and depth]
+/// What one sees of a frame, as a picture with R, G and B, without a plate. [radiance, or a share for alpha
+/// and depth]
 Image visible_layers(const Frame& frame, const Development& how);
 
 class Developer {

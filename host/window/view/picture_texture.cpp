@@ -9,6 +9,14 @@ PictureTexture::~PictureTexture() {
   if (name_ != 0) glDeleteTextures(1, &name_);
 }
 
+void PictureTexture::filter(vec2 place) {
+  if (name_ == 0) return;
+  // Pixel for pixel where it is as large as its place.
+  const int wanted = ivec2(glm::round(place)) == size_ ? GL_NEAREST : GL_LINEAR;
+  glTextureParameteri(name_, GL_TEXTURE_MIN_FILTER, wanted);
+  glTextureParameteri(name_, GL_TEXTURE_MAG_FILTER, wanted);
+}
+
 void PictureTexture::show(const DevelopedPtr& developed) {
   if (!developed || developed == shown_) return;
   shown_ = developed;
@@ -21,11 +29,6 @@ void PictureTexture::show(const DevelopedPtr& developed) {
     glTextureParameteri(name_, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     size_ = size;
   }
-  // Pixel for pixel where it is as large as its place; else it is magnified.
-  const bool exact = developed->picture && !developed->picture->quick;
-  const int filter = exact ? GL_NEAREST : GL_LINEAR;
-  glTextureParameteri(name_, GL_TEXTURE_MIN_FILTER, filter);
-  glTextureParameteri(name_, GL_TEXTURE_MAG_FILTER, filter);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glTextureSubImage2D(name_, 0, 0, 0, size.x, size.y, GL_RGB, GL_UNSIGNED_BYTE, developed->bytes.data());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);

@@ -17,6 +17,8 @@ class PictureTexture {
 
   /// Uploads the picture, unless it is the one that is there.
   void show(const DevelopedPtr& developed);
+  /// To be drawn that large [pixels of the screen].
+  void filter(vec2 place);
   unsigned name() const { return name_; }
   const DevelopedPtr& shown() const { return shown_; }
 

@@ -1,0 +1,41 @@
+// From a picture in a file to one that the view can be compared with: its layer, its colour space, and what
+// it has behind its medium.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/image/image.h"
+#include "core/scene/frame.h"
+
+namespace plinian::window {
+
+/// Layers of a picture that have a colour, by name: "" for its own, then those with R, G and B. May be empty.
+std::vector<std::string> colour_layers(const Image& image);
+
+struct ReadPicture {
+  Frame frame;             // beauty is what the file holds; transmittance 1 - alpha; background its own share
+  bool has_alpha = false;  // else the transmittance is 0 everywhere
+};
+
+/// layer: one of colour_layers, or empty. colour_space: auto, linear, srgb. exposure: [stops] on all of it.
+/// Its background is the layer of that name or, where pixels with no alpha have a colour, that colour behind
+/// all of it. Throws ImageError, listing the layers, where there is no such one.
+ReadPicture read_picture(const Image& image, const std::string& layer, const std::string& colour_space,
+                         float exposure);
+
+struct Match {
+  Frame frame;                 // the other picture as it is measured
+  std::optional<float> stops;  // [stops] it was made brighter by; none where that could not be told
+  bool background = false;     // the picture's stands behind it in place of its own
+  /// "exposure +0.31, background" or "" where nothing had to be done.
+  std::string text() const;
+};
+
+/// Makes another picture differ from `picture` in nothing that is a matter of how it was put out: puts the
+/// picture's background [radiance] behind it (where it has an alpha) and gives it the exposure at which the
+/// sum of squared differences of radiance is least. Both of one size.
+Match match(const Frame& picture, vec3 background, const ReadPicture& other);
+
+}  // namespace plinian::window

@@ -1,0 +1,85 @@
+// Thumbnails.
+#include "host/window/panels/snapshot_strip.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "host/window/panels/overlay_text.h"
+#include "host/window/panels/widgets.h"
+#include "host/window/platform/theme.h"
+
+namespace plinian::window {
+
+void SnapshotStrip::show(Studio& studio, const PaneRect& pane) {
+  const auto& all = studio.snapshots.all();
+  std::erase_if(textures_, [&](const auto& entry) { return !studio.snapshots.find(entry.first); });
+  if (!studio.show_snapshots || all.empty()) return;
+  const float height = scaled(54), label = ImGui::GetTextLineHeight();
+  const float strip = height + label + scaled(14);
+  // Over the line that reads out the pixel.
+  const float bottom = pane.begin.y + pane.size.y - label - scaled(14);
+  ImGui::SetNextWindowPos({pane.begin.x + scaled(8), bottom - strip});
+  ImGui::SetNextWindowSize({pane.size.x - scaled(16), strip});
+  ImGui::SetNextWindowBgAlpha(0.0f);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(scaled(2), scaled(2)));
+  // Where there is nothing, the picture beneath is what the mouse has.
+  float width = 0.0f;
+  for (const Snapshot& snapshot : all)
+    if (snapshot.thumbnail)
+      width += height * float(snapshot.thumbnail->width) / float(snapshot.thumbnail->height) + scaled(10);
+  ImGui::SetNextWindowSize({std::min(pane.size.x - scaled(16), std::max(width, scaled(60))), strip});
+  ImGui::Begin("##snapshots", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoFocusOnAppearing);
+  std::string forget;
+  for (const Snapshot& snapshot : all) {
+    if (!snapshot.thumbnail) continue;
+    std::unique_ptr<PictureTexture>& texture = textures_[snapshot.name];
+    if (!texture) texture = std::make_unique<PictureTexture>();
+    texture->show(snapshot.thumbnail);
+    const float wide = height * float(snapshot.thumbnail->width) / float(snapshot.thumbnail->height);
+    texture->filter({wide, height});
+    const bool compared = studio.comparison.other == snapshot.picture;
+    ImGui::PushID(snapshot.name.c_str());
+    ImGui::BeginGroup();
+    ImGui::PushStyleColor(ImGuiCol_Button, compared ? colour::accent : 0xff303030);
+    if (ImGui::ImageButton(ImTextureID(std::intptr_t(texture->name())), {wide, height})) {
+      if (compared) {
+        studio.comparison.keep(nullptr, "", OtherKind::none);
+      } else {
+        studio.comparison.keep(snapshot.picture, snapshot.name, OtherKind::snapshot);
+        if (studio.comparison.mode() == CompareMode::off) studio.comparison.set_mode(CompareMode::wipe);
+      }
+    }
+    ImGui::PopStyleColor();
+    studio.trace.item(snapshot.name, vec2(ImGui::GetItemRectMin().x, ImGui::GetItemRectMin().y),
+                      vec2(ImGui::GetItemRectSize().x, ImGui::GetItemRectSize().y));
+    help(snapshot.name + ": " + snapshot.figures + "\nclick: compare; right click: more");
+    if (ImGui::BeginPopupContextItem("more")) {
+      ImGui::TextDisabled("%s", snapshot.name.c_str());
+      if (ImGui::MenuItem("Restore its scene")) studio.run("restoreSnapshot " + graph::quote(snapshot.name));
+      studio.trace.item("restore " + snapshot.name,
+                        vec2(ImGui::GetItemRectMin().x, ImGui::GetItemRectMin().y),
+                        vec2(ImGui::GetItemRectSize().x, ImGui::GetItemRectSize().y));
+      if (ImGui::MenuItem("Forget it")) forget = snapshot.name;
+      ImGui::EndPopup();
+    }
+    draw_text({ImGui::GetCursorScreenPos().x + scaled(3), ImGui::GetCursorScreenPos().y - scaled(2)},
+              compared ? colour::accent : colour::faint_text, snapshot.name);
+    ImGui::Dummy({wide, label});
+    ImGui::EndGroup();
+    ImGui::PopID();
+    ImGui::SameLine(0.0f, scaled(4));
+  }
+  ImGui::End();
+  ImGui::PopStyleVar(3);
+  if (!forget.empty()) {
+    if (studio.comparison.name == forget) studio.comparison.keep(nullptr, "", OtherKind::none);
+    studio.snapshots.forget(forget);
+  }
+}
+
+}  // namespace plinian::window

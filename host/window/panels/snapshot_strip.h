@@ -1,0 +1,22 @@
+// The snapshots as a strip of thumbnails along the picture's lower edge.
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "host/window/panels/layout.h"
+#include "host/window/studio.h"
+#include "host/window/view/picture_texture.h"
+
+namespace plinian::window {
+
+class SnapshotStrip {
+ public:
+  /// pane: of the viewport. A click compares with a snapshot, a menu offers the rest.
+  void show(Studio& studio, const PaneRect& pane);
+
+ private:
+  std::map<std::string, std::unique_ptr<PictureTexture>> textures_;  // by name
+};
+
+}  // namespace plinian::window
