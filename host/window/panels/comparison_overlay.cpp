@@ -62,7 +62,7 @@ void ComparisonOverlay::take_picture(Studio& studio, const DevelopedPtr& shown) 
 }
 
 // The other picture on one side of a line that is dragged, and turned by its grips.
-void ComparisonOverlay::show_wipe(Studio& studio, const PaneRect& picture) {
+void ComparisonOverlay::show_wipe(Studio& studio, const PaneRect& picture, bool hovered) {
   Wipe& wipe = studio.comparison.wipe;
   const vec2 begin = picture.begin, size = picture.size;
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -72,7 +72,7 @@ void ComparisonOverlay::show_wipe(Studio& studio, const PaneRect& picture) {
   const float reach = std::min(size.x, size.y) * 0.3f;
   const vec2 forward = middle + wipe.along() * reach, backward = middle - wipe.along() * reach;
   const bool inside = mouse.x > begin.x && mouse.y > begin.y && mouse.x < begin.x + size.x &&
-                      mouse.y < begin.y + size.y && ImGui::IsWindowHovered();
+                      mouse.y < begin.y + size.y && hovered;
   const auto near_to = [&](vec2 point) { return glm::length(mouse - point) < scaled(9); };
   Hold under = Hold::nothing;
   if (inside && std::abs(wipe.distance(mouse, begin, size)) < scaled(6)) under = Hold::line;
@@ -153,13 +153,14 @@ std::vector<std::string> comparison_lines(const Studio& studio, const DevelopedP
 }
 
 void ComparisonOverlay::show(Studio& studio, const PaneRect& pane, const PaneRect& picture,
-                             const PaneRect& other, const DevelopedPtr& shown, double pixel_ratio) {
+                             const PaneRect& other, const DevelopedPtr& shown, double pixel_ratio,
+                             bool hovered) {
   const Comparison& comparison = studio.comparison;
   texture_.filter(picture.size * float(pixel_ratio));
   const bool there = comparison.other && texture_.name() != 0;
   const CompareMode mode = there ? comparison.mode() : CompareMode::off;
   if (mode == CompareMode::wipe)
-    show_wipe(studio, picture);
+    show_wipe(studio, picture, hovered);
   else
     hold_ = Hold::nothing;
   const bool others_turn = comparison.is_others_turn();

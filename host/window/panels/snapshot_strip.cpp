@@ -11,6 +11,14 @@
 
 namespace plinian::window {
 
+namespace {
+
+float label_width(const Snapshot& snapshot) {
+  return ImGui::CalcTextSize(snapshot.name.c_str()).x + scaled(6);
+}
+
+}  // namespace
+
 void SnapshotStrip::show(Studio& studio, const PaneRect& pane) {
   const auto& all = studio.snapshots.all();
   std::erase_if(textures_, [&](const auto& entry) { return !studio.snapshots.find(entry.first); });
@@ -29,7 +37,9 @@ void SnapshotStrip::show(Studio& studio, const PaneRect& pane) {
   float width = 0.0f;
   for (const Snapshot& snapshot : all)
     if (snapshot.thumbnail)
-      width += height * float(snapshot.thumbnail->width) / float(snapshot.thumbnail->height) + scaled(10);
+      width += std::max(height * float(snapshot.thumbnail->width) / float(snapshot.thumbnail->height),
+                        label_width(snapshot)) +
+               scaled(10);
   ImGui::SetNextWindowSize({std::min(pane.size.x - scaled(16), std::max(width, scaled(60))), strip});
   ImGui::Begin("##snapshots", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
@@ -69,7 +79,7 @@ void SnapshotStrip::show(Studio& studio, const PaneRect& pane) {
     }
     draw_text({ImGui::GetCursorScreenPos().x + scaled(3), ImGui::GetCursorScreenPos().y - scaled(2)},
               compared ? colour::accent : colour::faint_text, snapshot.name);
-    ImGui::Dummy({wide, label});
+    ImGui::Dummy({std::max(wide + scaled(4), label_width(snapshot)), label});
     ImGui::EndGroup();
     ImGui::PopID();
     ImGui::SameLine(0.0f, scaled(4));

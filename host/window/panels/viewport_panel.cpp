@@ -105,7 +105,7 @@ void ViewportPanel::show(Studio& studio, const PaneRect& pane, double pixel_rati
                              ImGuiButtonFlags_MouseButtonRight);
   const bool hovered = ImGui::IsItemHovered();
   studio.trace.item("picture", picture_.begin, picture_.size);
-  comparison_.show(studio, pane, picture_, other_, texture_.shown(), pixel_ratio);
+  comparison_.show(studio, pane, picture_, other_, texture_.shown(), pixel_ratio, hovered);
   probe_.choose(studio, picture_, hovered && !comparison_.is_held());
   hand_.move(studio, picture_, hovered && !comparison_.is_held());
   show_notes(studio, pane, texture_.shown());

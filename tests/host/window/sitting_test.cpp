@@ -230,11 +230,58 @@ TEST_F(WindowSitting, ComparesWithWhatWasKeptAndRelightsWithoutRendering) {
   const ivec4 place = sitting.item("picture");
   const ivec2 line(place.x + place.z / 2, place.y + place.w / 2);
   sitting.drag(line, line + ivec2(-60, 0));
+  // The line is where it was dragged to, and is turned by a grip.
+  sitting.move({5, 5});
+  EXPECT_NEAR(sitting.middle("wipe line").x, line.x - 60, 2);
+  const ivec2 grip = sitting.middle("wipe grip");
+  EXPECT_NEAR(grip.x, line.x - 60, 2);
+  sitting.drag(grip, grip + ivec2(-80, -20));
+  sitting.move({5, 5});
+  EXPECT_LT(sitting.middle("wipe grip").x, grip.x - 40);
+  keep(sitting, "9-turned");
   at = sitting.now();
   sitting.stroke("Shift_L+d");
   sitting.move({5, 5});
   sitting.wait_for("picture", at);
   keep(sitting, "8-difference");
+}
+
+// A picture that a batch job made of the scene, under another exposure and before another background.
+TEST_F(WindowSitting, MeasuresAgainstAPictureFromAFileAndRestoresASnapshot) {
+  Sitting sitting({});
+  std::size_t at = wait_for_rest(sitting, 0);
+  command(sitting, "setAttr settings.width 320");
+  command(sitting, "setAttr settings.height 240");
+  command(sitting, "save shot.plinian");
+  const Ended rendered = plinian_program({"render", "shot.plinian", "-o", "ref.exr", "--size", "320x240",
+                                          "--set", "settings.background=0.3,0.1,0.1", "-q"},
+                                         {.folder = sitting.folder().string()});
+  ASSERT_EQ(rendered.code, 0) << rendered.err;
+  at = sitting.now();
+  command(sitting, "loadReference ref.exr");
+  sitting.move({5, 5});
+  at = sitting.wait_for(
+      [](const std::string& line) {
+        return line.find(" 320x240 ") != line.npos && line.find(" rest ") != line.npos && psnr_in(line) > 0.0;
+      },
+      at);
+  EXPECT_GT(psnr_in(sitting.line(at)), 50.0) << "it is the scene's own picture: " << sitting.line(at);
+  sitting.wait_for(" still", at);
+  keep(sitting, "10-file");
+  // A snapshot brings its scene back, reference and all; one step of undo.
+  command(sitting, "save before.plinian");
+  sitting.click({sitting.item("picture").x + 3, sitting.item("picture").y + 3});
+  sitting.wait_for_keys("keys to the window");
+  sitting.stroke("p");
+  sitting.item("snapshot 1");
+  command(sitting, "setAttr medium.albedo 0.3 0.2 0.1");
+  command(sitting, "delete reference");
+  sitting.click(sitting.middle("snapshot 1"), 3);
+  sitting.click(sitting.middle("restore snapshot 1"));
+  sitting.wait_for("ran restoreSnapshot", at);
+  keep(sitting, "11-restored");
+  command(sitting, "save after.plinian");
+  EXPECT_EQ(text_of(sitting.folder() / "before.plinian"), text_of(sitting.folder() / "after.plinian"));
 }
 
 TEST_F(WindowSitting, AsksAboutUnsavedChanges) {
