@@ -71,9 +71,10 @@ void SnapshotStrip::show(Studio& studio, const PaneRect& pane) {
     if (ImGui::BeginPopupContextItem("more")) {
       ImGui::TextDisabled("%s", snapshot.name.c_str());
       if (ImGui::MenuItem("Restore its scene")) studio.run("restoreSnapshot " + graph::quote(snapshot.name));
-      studio.trace.item("restore " + snapshot.name,
-                        vec2(ImGui::GetItemRectMin().x, ImGui::GetItemRectMin().y),
-                        vec2(ImGui::GetItemRectSize().x, ImGui::GetItemRectSize().y));
+      if (!ImGui::IsWindowAppearing())  // it is not yet where it will be
+        studio.trace.item("restore " + snapshot.name,
+                          vec2(ImGui::GetItemRectMin().x, ImGui::GetItemRectMin().y),
+                          vec2(ImGui::GetItemRectSize().x, ImGui::GetItemRectSize().y));
       if (ImGui::MenuItem("Forget it")) forget = snapshot.name;
       ImGui::EndPopup();
     }
