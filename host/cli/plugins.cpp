@@ -45,7 +45,7 @@ std::vector<Found> plugins_of(const sdk::PluginManager& plugins) {
   std::vector<Found> all;
   for (const auto& loaded : plugins.plugins())
     all.push_back({loaded.description.name, loaded.path, "loaded", loaded.description});
-  for (const fs::path& folder : plugins.folders()) {
+  for (const fs::path& folder : plugins.search().folders()) {
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(folder, error)) {
       if (entry.path().extension() != ".so") continue;
@@ -77,7 +77,7 @@ int list_plugins(const std::vector<Found>& all, const sdk::PluginManager& plugin
                                    {"path", found.path},
                                    {"state", found.state},
                                    {"registers", found.description.registers}});
-    for (const fs::path& folder : plugins.folders()) report["folders"].push_back(folder.string());
+    for (const fs::path& folder : plugins.search().folders()) report["folders"].push_back(folder.string());
     print(report.dump(2) + "\n");
     return exit_success;
   }

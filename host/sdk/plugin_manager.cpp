@@ -4,9 +4,6 @@
 #include <dlfcn.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <iterator>
-#include <set>
 
 #include "core/scene/nearest_word.h"
 #include "host/graph/edits/sleep.h"
@@ -15,6 +12,7 @@
 #include "host/graph/graph_error.h"
 #include "host/sdk/inside_plugin.h"
 #include "host/sdk/load_marker.h"
+#include "host/sdk/plugin_commands.h"
 
 namespace plinian::sdk {
 
@@ -26,30 +24,6 @@ namespace {
 std::string skipped_text(const std::string& path) {
   return path + ": did not come back when it was loaded last, and is skipped; 'loadPlugin " + path +
          "' tries it again";
-}
-
-// Where a description does not list what was registered, or lists what was not; else empty. Before version
-// 1.2 of the interface nobody looked.
-std::string registers_problem(const PluginDescription& description, const PluginRegistrar& registrar) {
-  if (description.abi_minor < 2) return "";
-  const std::set<std::string> said(description.registers.begin(), description.registers.end());
-  std::set<std::string> done;
-  for (const graph::NodeTypeSpec& type : registrar.node_types) done.insert("node:" + type.name);
-  for (const graph::CommandSpec& command : registrar.commands) done.insert("command:" + command.name);
-  for (const graph::DataType& type : registrar.data_types) done.insert("data:" + type.name);
-  for (const graph::FileType& type : registrar.file_types) done.insert("file:" + type.name);
-  const auto without = [](const std::set<std::string>& all, const std::set<std::string>& others) {
-    std::vector<std::string> rest;
-    std::set_difference(all.begin(), all.end(), others.begin(), others.end(), std::back_inserter(rest));
-    return rest;
-  };
-  const auto extra = without(done, said), missing = without(said, done);
-  std::string problem;
-  if (!extra.empty()) problem = "registers " + join(extra) + ", which its description does not list";
-  if (!missing.empty())
-    problem += (problem.empty() ? "does not register " : "; does not register ") + join(missing) +
-               ", which its description lists";
-  return problem;
 }
 
 }  // namespace
@@ -66,21 +40,17 @@ struct PluginManager::Library {
   std::vector<std::string> commands, data_types, file_types;
 };
 
-PluginManager::PluginManager(graph::Session& session, std::vector<fs::path> folders) : session_(session) {
-  if (const char* variable = std::getenv("PLINIAN_PLUGIN_PATH")) {
-    const std::string list = variable;
-    for (std::size_t begin = 0; begin <= list.size();) {
-      const std::size_t end = std::min(list.find(':', begin), list.size());
-      // An empty or relative entry would mean the current folder, whatever that is.
-      if (const fs::path folder = list.substr(begin, end - begin); folder.is_absolute())
-        folders_.push_back(folder);
-      begin = end + 1;
-    }
-  }
-  folders_.insert(folders_.end(), folders.begin(), folders.end());
-  add_commands();
-  session_.types().hint = [this](const std::string& name) { return hint_at("node:" + name); };
-  session_.commands().hint = [this](const std::string& name) { return hint_at("command:" + name); };
+PluginManager::PluginManager(graph::Session& session, std::vector<fs::path> folders)
+    : session_(session), search_(std::move(folders)) {
+  add_plugin_commands(session_.commands(), *this);
+  const auto hint = [this](const std::string& kind) {
+    return [this, kind](const std::string& name) {
+      return search_.hint_at(kind + name,
+                             [this](const std::string& plugin) { return libraries_.contains(plugin); });
+    };
+  };
+  session_.types().hint = hint("node:");
+  session_.commands().hint = hint("command:");
   session_.on_requires = [this](const std::string& name) {
     try {
       if (const auto loaded = libraries_.find(name); loaded != libraries_.end())
@@ -101,53 +71,12 @@ PluginManager::~PluginManager() {
   graph::drop_unwritable_data(session_.editor());
   session_.history().forget_steps();
   while (!libraries_.empty()) remove(*libraries_.begin()->second);
-  for (const char* command : {"loadPlugin", "unloadPlugin", "pluginInfo"})
-    session_.commands().remove(command);
-}
-
-std::string PluginManager::hint_at(const std::string& what) const {
-  for (const fs::path& folder : folders_) {
-    std::error_code error;
-    for (const auto& entry : fs::directory_iterator(folder, error)) {
-      const fs::path& path = entry.path();
-      if (path.extension() != ".so") continue;
-      try {
-        const PluginDescription found = read_description(path.string());
-        const auto& brings = found.registers;
-        if (libraries_.contains(found.name) || !abi_problem(found).empty() ||
-            std::find(brings.begin(), brings.end(), what) == brings.end())
-          continue;
-        std::string name = path.stem().string();
-        if (!fs::exists(folder / (name + ".so"), error) || find(name) != path.string()) name = path.string();
-        return ": the plug-in '" + found.name + "' brings it: loadPlugin " + graph::quote_if_needed(name);
-      } catch (const GraphError&) {
-        // No plug-in.
-      }
-    }
-  }
-  return "";
-}
-
-std::string PluginManager::find(const std::string& name) const {
-  if (name.find('/') != name.npos) {
-    std::error_code error;
-    if (!fs::exists(name, error)) throw GraphError(name + ": there is no such file");
-    return name;
-  }
-  for (const fs::path& folder : folders_)
-    for (const std::string& file : {name + ".so", "lib" + name + ".so"}) {
-      std::error_code error;
-      if (fs::is_regular_file(folder / file, error)) return (folder / file).string();
-    }
-  std::vector<std::string> looked;
-  for (const fs::path& folder : folders_) looked.push_back(folder.string());
-  throw GraphError("there is no plug-in " + graph::shown(name) + " in " +
-                   (looked.empty() ? "any folder: set PLINIAN_PLUGIN_PATH, or give a path" : join(looked)));
+  remove_plugin_commands(session_.commands());
 }
 
 std::string PluginManager::load(const std::string& name_or_path) {
   auto library = std::make_unique<Library>(events_);
-  library->path = find(name_or_path);
+  library->path = search_.find(name_or_path);
   const auto refuse = [&](const std::string& why) -> GraphError {
     return GraphError(library->path + ": " + why);
   };
@@ -425,45 +354,6 @@ std::vector<PluginManager::Loaded> PluginManager::plugins() const {
   std::vector<Loaded> result;
   for (const auto& [name, library] : libraries_) result.push_back({library->description, library->path});
   return result;
-}
-
-void PluginManager::add_commands() {
-  using enum graph::ArgumentKind;
-  session_.commands().add({.name = "loadPlugin",
-                           .help = "Loads a plug-in and answers with its name.",
-                           .parameters = {{"plugin", path, "name, or path of its library"}},
-                           .run =
-                               [this](graph::Session&, const graph::Arguments& arguments) {
-                                 return graph::CommandResult{load(arguments.text("plugin"))};
-                               },
-                           .handles_history = true});
-  session_.commands().add({.name = "unloadPlugin",
-                           .help = "Unloads a plug-in that no node needs.",
-                           .parameters = {{"plugin", text, "its name"}},
-                           .flags = {{"force", "keeps its nodes as unknown ones", {}}},
-                           .run =
-                               [this](graph::Session&, const graph::Arguments& arguments) {
-                                 unload(arguments.text("plugin"), arguments.has("force"));
-                                 return graph::CommandResult();
-                               },
-                           .handles_history = true});
-  session_.commands().add(
-      {.name = "pluginInfo",
-       .help = "Answers with what is loaded, or what a plug-in that is not loaded says of itself.",
-       .parameters = {{"plugin", path, "name or path; else all that are loaded", true}},
-       .run = [this](graph::Session&, const graph::Arguments& arguments) {
-         graph::CommandResult lines;
-         const auto tell = [&](const PluginDescription& d, const std::string& path) {
-           lines.push_back(d.name + " " + d.version + ", " + d.vendor + ", interface " +
-                           std::to_string(d.abi_major) + "." + std::to_string(d.abi_minor) + ", registers " +
-                           join(d.registers, " ") + ", " + path);
-         };
-         const std::string wanted = arguments.text("plugin");
-         for (const Loaded& loaded : plugins())
-           if (wanted.empty() || wanted == loaded.description.name) tell(loaded.description, loaded.path);
-         if (!wanted.empty() && lines.empty()) tell(read_description(find(wanted)), find(wanted));
-         return lines;
-       }});
 }
 
 }  // namespace plinian::sdk

@@ -10,6 +10,7 @@
 #include "host/graph/commands/session.h"
 #include "host/sdk/plugin_description.h"
 #include "host/sdk/plugin_registrar.h"
+#include "host/sdk/plugin_search.h"
 
 namespace plinian::sdk {
 
@@ -66,13 +67,10 @@ class PluginManager {
   void remove_listener(DrawOverrideListener* listener) { std::erase(listeners_, listener); }
   /// What plug-ins hear; whoever else wants to may listen too.
   EventHub& events() { return events_; }
-  const std::vector<std::filesystem::path>& folders() const { return folders_; }
+  const PluginSearch& search() const { return search_; }
 
  private:
   struct Library;
-  std::string find(const std::string& name) const;
-  std::string hint_at(const std::string& what) const;
-  void add_commands();
   void start(Library& library, int (*initialise)(const PlinianHost*));
   std::string adopt(std::unique_ptr<Library> library);
   void enter(Library& library);
@@ -83,12 +81,12 @@ class PluginManager {
   void warn_of_forgotten(std::size_t steps, const std::string& why);
 
   graph::Session& session_;
+  PluginSearch search_;
   EventHub events_{session_};
   std::vector<MenuItem> menu_;
   std::map<std::string, DrawOverridePtr> draw_overrides_;   // by node type
   std::map<std::string, std::vector<HandleSpec>> handles_;  // by node type
   std::vector<DrawOverrideListener*> listeners_;
-  std::vector<std::filesystem::path> folders_;
   std::map<std::string, std::unique_ptr<Library>> libraries_;
   std::map<std::string, std::filesystem::file_time_type> written_;  // libraries that are in memory, by path
 };

@@ -1,6 +1,11 @@
 // Takes what a plug-in registers. No exception leaves a function that a plug-in calls.
 #include "host/sdk/plugin_registrar.h"
 
+#include <algorithm>
+#include <iterator>
+#include <set>
+
+#include "core/scene/nearest_word.h"
 #include "host/graph/graph_error.h"
 #include "host/sdk/data_type_table.h"
 #include "host/sdk/inside_plugin.h"
@@ -129,6 +134,29 @@ void PluginRegistrar::clear() {
   menu.clear();
   draw_overrides.clear();
   handles.clear();
+}
+
+// Before version 1.2 of the interface nobody looked.
+std::string registers_problem(const PluginDescription& description, const PluginRegistrar& registrar) {
+  if (description.abi_minor < 2) return "";
+  const std::set<std::string> said(description.registers.begin(), description.registers.end());
+  std::set<std::string> done;
+  for (const graph::NodeTypeSpec& type : registrar.node_types) done.insert("node:" + type.name);
+  for (const graph::CommandSpec& command : registrar.commands) done.insert("command:" + command.name);
+  for (const graph::DataType& type : registrar.data_types) done.insert("data:" + type.name);
+  for (const graph::FileType& type : registrar.file_types) done.insert("file:" + type.name);
+  const auto without = [](const std::set<std::string>& all, const std::set<std::string>& others) {
+    std::vector<std::string> rest;
+    std::set_difference(all.begin(), all.end(), others.begin(), others.end(), std::back_inserter(rest));
+    return rest;
+  };
+  const auto extra = without(done, said), missing = without(said, done);
+  std::string problem;
+  if (!extra.empty()) problem = "registers " + join(extra) + ", which its description does not list";
+  if (!missing.empty())
+    problem += (problem.empty() ? "does not register " : "; does not register ") + join(missing) +
+               ", which its description lists";
+  return problem;
 }
 
 }  // namespace plinian::sdk

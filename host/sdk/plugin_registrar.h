@@ -15,6 +15,7 @@
 #include "host/sdk/draw_override.h"
 #include "host/sdk/event_hub.h"
 #include "host/sdk/handles.h"
+#include "host/sdk/plugin_description.h"
 
 namespace plinian::sdk {
 
@@ -57,5 +58,8 @@ class PluginRegistrar {
   std::uint64_t last_subscription_ = 0;
   std::string last_error_, answers_;
 };
+
+/// Where a description does not list what was registered, or lists what was not; else empty.
+std::string registers_problem(const PluginDescription& description, const PluginRegistrar& registrar);
 
 }  // namespace plinian::sdk

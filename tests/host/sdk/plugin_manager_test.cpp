@@ -143,7 +143,7 @@ TEST(PluginManager, ACurrentFolderIsNoSearchPath) {
             "there is no plug-in 'wobble' in any folder: set PLINIAN_PLUGIN_PATH, or give a path");
   ::setenv("PLINIAN_PLUGIN_PATH", own.path().c_str(), 1);
   PluginSession other;
-  EXPECT_EQ(other.plugins.folders().at(0), own.path());
+  EXPECT_EQ(other.plugins.search().folders().at(0), own.path());
   EXPECT_EQ(other.plugins.load("wobble"), "wobble");
   ::unsetenv("PLINIAN_PLUGIN_PATH");
   std::filesystem::current_path(before);

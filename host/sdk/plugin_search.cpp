@@ -1,0 +1,72 @@
+// Looks through folders, and reads what plug-ins say of themselves without loading them.
+#include "host/sdk/plugin_search.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/scene/nearest_word.h"
+#include "host/graph/graph_error.h"
+#include "host/graph/values/words.h"
+#include "host/sdk/plugin_description.h"
+
+namespace plinian::sdk {
+
+namespace fs = std::filesystem;
+using graph::GraphError;
+
+PluginSearch::PluginSearch(const std::vector<fs::path>& folders) {
+  if (const char* variable = std::getenv("PLINIAN_PLUGIN_PATH")) {
+    const std::string list = variable;
+    for (std::size_t begin = 0; begin <= list.size();) {
+      const std::size_t end = std::min(list.find(':', begin), list.size());
+      // An empty or relative entry would mean the current folder, whatever that is.
+      if (const fs::path folder = list.substr(begin, end - begin); folder.is_absolute())
+        folders_.push_back(folder);
+      begin = end + 1;
+    }
+  }
+  folders_.insert(folders_.end(), folders.begin(), folders.end());
+}
+
+std::string PluginSearch::hint_at(const std::string& what,
+                                  const std::function<bool(const std::string&)>& is_loaded) const {
+  for (const fs::path& folder : folders_) {
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder, error)) {
+      const fs::path& path = entry.path();
+      if (path.extension() != ".so") continue;
+      try {
+        const PluginDescription found = read_description(path.string());
+        const auto& brings = found.registers;
+        if (is_loaded(found.name) || !abi_problem(found).empty() ||
+            std::find(brings.begin(), brings.end(), what) == brings.end())
+          continue;
+        std::string name = path.stem().string();
+        if (!fs::exists(folder / (name + ".so"), error) || find(name) != path.string()) name = path.string();
+        return ": the plug-in '" + found.name + "' brings it: loadPlugin " + graph::quote_if_needed(name);
+      } catch (const GraphError&) {
+        // No plug-in.
+      }
+    }
+  }
+  return "";
+}
+
+std::string PluginSearch::find(const std::string& name) const {
+  if (name.find('/') != name.npos) {
+    std::error_code error;
+    if (!fs::exists(name, error)) throw GraphError(name + ": there is no such file");
+    return name;
+  }
+  for (const fs::path& folder : folders_)
+    for (const std::string& file : {name + ".so", "lib" + name + ".so"}) {
+      std::error_code error;
+      if (fs::is_regular_file(folder / file, error)) return (folder / file).string();
+    }
+  std::vector<std::string> looked;
+  for (const fs::path& folder : folders_) looked.push_back(folder.string());
+  throw GraphError("there is no plug-in " + graph::shown(name) + " in " +
+                   (looked.empty() ? "any folder: set PLINIAN_PLUGIN_PATH, or give a path" : join(looked)));
+}
+
+}  // namespace plinian::sdk

@@ -1,0 +1,29 @@
+// Where plug-ins are found.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace plinian::sdk {
+
+class PluginSearch {
+ public:
+  /// folders: to look in, after those of $PLINIAN_PLUGIN_PATH; never the current folder.
+  explicit PluginSearch(const std::vector<std::filesystem::path>& folders);
+
+  const std::vector<std::filesystem::path>& folders() const { return folders_; }
+  /// The library of a name, as NAME.so or libNAME.so in one of the folders; anything with a '/' is a path.
+  /// Throws GraphError where there is none.
+  std::string find(const std::string& name) const;
+  /// What to say of something that is unknown ("node:puff", "command:mark"): which plug-in brings it and how
+  /// to load it; empty where none does that is not loaded.
+  std::string hint_at(const std::string& what,
+                      const std::function<bool(const std::string& plugin)>& is_loaded) const;
+
+ private:
+  std::vector<std::filesystem::path> folders_;
+};
+
+}  // namespace plinian::sdk
