@@ -15,6 +15,7 @@
 #include "host/window/panels/menu.h"
 #include "host/window/panels/popups.h"
 #include "host/window/panels/status_line.h"
+#include "host/window/panels/typing.h"
 #include "host/window/panels/view_strip.h"
 #include "host/window/platform/theme.h"
 
@@ -149,6 +150,7 @@ void Interface::note_mouse() {
 void Interface::draw() {
   const auto begin = std::chrono::steady_clock::now();
   window_.begin_frame();
+  forget_left_typing();
   note_mouse();
   show_panels();
   show_job(studio_);

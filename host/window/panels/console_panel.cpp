@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "host/window/console/completion.h"
+#include "host/window/panels/typing.h"
 #include "host/window/platform/theme.h"
 
 namespace plinian::window {
@@ -56,6 +57,7 @@ int ConsolePanel::edit(Studio& studio, ImGuiInputTextCallbackData& data) {
     data.DeleteChars(0, data.BufTextLen);
     if (recalled_ < typed_.size()) data.InsertChars(0, typed_[recalled_].c_str());
   }
+  if (data.BufDirty) forget_typing();
   return 0;
 }
 

@@ -322,6 +322,28 @@ void Sitting::type(const std::string& text) {
   pause();
 }
 
+void Sitting::resize(ivec2 size) {
+  XResizeWindow(state_->display, state_->window, unsigned(size.x), unsigned(size.y));
+  pause();
+}
+
+bool Sitting::is_running() {
+  siginfo_t info{};
+  return state_->program > 0 &&
+         waitid(P_PID, id_t(state_->program), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == 0;
+}
+
+double Sitting::memory() {
+  std::ifstream file("/proc/" + std::to_string(state_->program) + "/statm");
+  double all = 0.0, resident = 0.0;
+  file >> all >> resident;
+  return resident * double(sysconf(_SC_PAGESIZE)) / (1024.0 * 1024.0);
+}
+
+void Sitting::send(int signal) {
+  kill(state_->program, signal);
+}
+
 Pixels Sitting::pixels(ivec4 area) {
   XImage* image = XGetImage(state_->display, DefaultRootWindow(state_->display), area.x, area.y,
                             unsigned(area.z), unsigned(area.w), AllPlanes, ZPixmap);

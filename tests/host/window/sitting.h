@@ -63,6 +63,12 @@ class Sitting {
   Pixels pixels(ivec4 area);
   /// Ends the program, as a crash would unless the signal is another, and starts it anew.
   void kill_and_start_again(const std::vector<std::string>& arguments, int signal = SIGKILL);
+  void resize(ivec2 size);
+  /// Whether the program runs.
+  bool is_running();
+  /// What it holds in memory. [MiB]
+  double memory();
+  void send(int signal);
   /// Asks the window to close, as a desktop does.
   void ask_to_close();
   /// Waits for the program to end; -1 where it does not within half a minute.

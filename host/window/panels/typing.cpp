@@ -1,0 +1,20 @@
+// Empties the steps of undo of Dear ImGui's field of text, of which it has one for all.
+#include "host/window/panels/typing.h"
+
+#include <imgui_internal.h>
+
+namespace plinian::window {
+
+void forget_left_typing() {
+  if (ImGui::GetActiveID() != ImGui::GetCurrentContext()->InputTextState.ID) forget_typing();
+}
+
+void forget_typing() {
+  ImStb::StbUndoState& undo = ImGui::GetCurrentContext()->InputTextState.Stb.undostate;
+  undo.undo_point = 0;
+  undo.undo_char_point = 0;
+  undo.redo_point = STB_TEXTEDIT_UNDOSTATECOUNT;
+  undo.redo_char_point = STB_TEXTEDIT_UNDOCHARCOUNT;
+}
+
+}  // namespace plinian::window

@@ -1,0 +1,15 @@
+// What Dear ImGui remembers of what was typed in a field.
+//
+// As of 1.86 it keeps the steps of undo of a field that is left and entered again, and of one whose text others
+// change. To take one back in a text that it was not made in writes outside of that text.
+#pragma once
+
+namespace plinian::window {
+
+/// Forgets the steps of a field that was left. To be called in every frame, before any field.
+void forget_left_typing();
+
+/// Forgets those of the field that is being typed in: others have changed its text.
+void forget_typing();
+
+}  // namespace plinian::window
