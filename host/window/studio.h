@@ -18,6 +18,7 @@
 #include "host/window/files/scene_files.h"
 #include "host/window/hotkeys/hotkeys.h"
 #include "host/window/navigation/viewpoint.h"
+#include "host/window/overlay/overlay_choice.h"
 #include "host/window/platform/trace.h"
 #include "host/window/probe/inspector.h"
 #include "host/window/view/developer.h"
@@ -47,6 +48,7 @@ class Studio {
   // How it is looked at.
   Viewpoint viewpoint;
   Development development;
+  OverlayChoice overlay;
   bool original_maps = false;
   ivec2 picture_size{512};  // [pixels] of the picture at rest, as the viewport has room for it
 

@@ -70,6 +70,24 @@ void show_ways_to_compare(Studio& studio) {
   help("The layer of " + comparison.name + " that is compared with.");
 }
 
+void show_what_is_drawn(Studio& studio) {
+  ImGui::SameLine(0.0f, scaled(14));
+  if (ImGui::Button("show")) ImGui::OpenPopup("##show");
+  note_item(studio, "show");
+  help("What is drawn over the picture. Nothing of it is in a picture that is written.");
+  if (!ImGui::BeginPopup("##show")) return;
+  OverlayChoice& overlay = studio.overlay;
+  const std::pair<const char*, bool*> rows[] = {
+      {"ground grid", &overlay.grid},         {"axes", &overlay.axes},
+      {"scale bar", &overlay.scale_bar},      {"bounds of what is selected", &overlay.bounds},
+      {"lights and cameras", &overlay.icons}, {"gate of the scene's camera", &overlay.gate}};
+  for (const auto& [name, on] : rows) {
+    ImGui::Checkbox(name, on);
+    note_item(studio, (std::string("show ") + name).c_str());
+  }
+  ImGui::EndPopup();
+}
+
 }  // namespace
 
 void show_view_strip(Studio& studio, const PaneRect& pane) {
@@ -134,6 +152,7 @@ void show_view_strip(Studio& studio, const PaneRect& pane) {
   if (toggle(studio.viewpoint.look.free ? "free camera" : "scene camera", !studio.viewpoint.look.free,
              "Look through the scene's camera (C). Moving the view leaves to a free one."))
     studio.viewpoint.look_through_scene_camera();
+  show_what_is_drawn(studio);
   if (studio.comparison.other) show_ways_to_compare(studio);
   if (studio.original_maps) {
     ImGui::SameLine(0.0f, scaled(6));

@@ -85,6 +85,7 @@ void ViewportPanel::show(Studio& studio, const PaneRect& pane, double pixel_rati
                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
+  PaneRect shown = picture_;  // where the picture lies
   if (texture_.name() != 0) {
     // A picture of another shape than the pane's keeps its own until the next one is there.
     const Frame& frame = texture_.shown()->picture->frame;
@@ -98,6 +99,7 @@ void ViewportPanel::show(Studio& studio, const PaneRect& pane, double pixel_rati
     texture_.filter(size * float(pixel_ratio));
     ImGui::GetWindowDrawList()->AddImage(ImTextureID(std::intptr_t(texture_.name())), to_im(begin),
                                          to_im(begin + size));
+    shown = {begin, size};
   }
   ImGui::SetCursorScreenPos(to_im(pane.begin));
   ImGui::InvisibleButton("##hand", to_im(pane.size),
@@ -106,6 +108,11 @@ void ViewportPanel::show(Studio& studio, const PaneRect& pane, double pixel_rati
   const bool hovered = ImGui::IsItemHovered();
   studio.trace.item("picture", picture_.begin, picture_.size);
   comparison_.show(studio, pane, picture_, other_, texture_.shown(), pixel_ratio, hovered);
+  if (texture_.name() != 0) {
+    const ViewPicture& picture = *texture_.shown()->picture;
+    overlay_.show(studio, picture, shown.begin, shown.size);
+    overlay_.select(studio, picture, shown.begin, shown.size, hovered && !comparison_.is_held());
+  }
   probe_.choose(studio, picture_, hovered && !comparison_.is_held());
   hand_.move(studio, picture_, hovered && !comparison_.is_held());
   show_notes(studio, pane, texture_.shown());

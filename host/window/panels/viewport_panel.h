@@ -1,6 +1,7 @@
 // The picture, what is written over it, and the hand in it.
 #pragma once
 
+#include "host/window/overlay/overlay.h"
 #include "host/window/panels/comparison_overlay.h"
 #include "host/window/panels/layout.h"
 #include "host/window/panels/probe_panel.h"
@@ -23,6 +24,7 @@ class ViewportPanel {
   ComparisonOverlay comparison_;
   SnapshotStrip snapshots_;
   ViewportHand hand_;
+  Overlay overlay_;
   ProbePanel probe_;
   ViewPicturePtr asked_picture_;
   std::string asked_development_;

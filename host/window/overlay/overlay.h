@@ -1,0 +1,45 @@
+// What is drawn over the picture, and what a click in it selects.
+//
+// It is drawn by the interface, so that nothing of it is in a picture that is rendered. Media
+// hide the ground and bounds behind them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/window/overlay/overlay_choice.h"
+#include "host/window/overlay/projection.h"
+#include "host/window/studio.h"
+
+namespace plinian::window {
+
+struct WorldLine;
+
+class Overlay {
+ public:
+  /// Draws what is chosen over the picture that is shown. begin, size: [points] where that is.
+  void show(Studio& studio, const ViewPicture& picture, vec2 begin, vec2 size);
+  /// Selects by the mouse. free: it is in the viewport, and nobody else's.
+  void select(Studio& studio, const ViewPicture& picture, vec2 begin, vec2 size, bool free);
+
+ private:
+  struct Icon {
+    std::string node;
+    vec2 at{0.0f};  // [points]
+  };
+  void show_bounds(Studio& studio, const ViewPicture& picture, const Projection& projection);
+  void show_lights(Studio& studio, const SceneSnapshot& scene, const Projection& projection);
+  void show_cameras(Studio& studio, const Projection& projection);
+  void draw_icon(Studio& studio, const std::vector<WorldLine>& lines, const dvec3& at,
+                 const std::string& node, const Projection& projection);
+
+  std::vector<Icon> icons_;  // that were drawn last
+  bool pressed_ = false;
+  vec2 pressed_at_{0.0f};  // [points]
+};
+
+/// The command of a click on a node, or beside all where `node` is empty; empty where there is nothing to do.
+std::string select_command(const std::string& node, bool add, bool toggle, bool is_selected,
+                           bool anything_selected);
+
+}  // namespace plinian::window
