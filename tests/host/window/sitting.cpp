@@ -17,6 +17,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 namespace plinian {
 
@@ -126,6 +127,7 @@ void Sitting::start_program(const std::vector<std::string>& arguments) {
     dup2(errors, STDERR_FILENO);
     if (chdir(folder().c_str()) != 0) _exit(126);
   });
+  released_at_.reset();
   wait_for("item \"picture\"");
   state_->window = find_window(state_->display);
   if (!state_->window) throw std::runtime_error("there is no window");
@@ -240,6 +242,8 @@ void Sitting::pause() {
 }
 
 void Sitting::move(ivec2 to) {
+  // A button is let go where it was pressed: seen together with the way to the next place it is no click.
+  if (const auto at = std::exchange(released_at_, std::nullopt)) wait_for_mouse(*at, 0);
   XTestFakeMotionEvent(state_->display, -1, to.x, to.y, CurrentTime);
   pause();
 }
@@ -273,6 +277,7 @@ void Sitting::click(ivec2 at, unsigned button) {
   press(button);
   wait_for_mouse(at, button);
   release(button);
+  released_at_ = at;
 }
 
 void Sitting::drag(ivec2 from, ivec2 to, unsigned button) {

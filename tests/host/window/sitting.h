@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -86,6 +87,7 @@ class Sitting {
   TemporaryFolder folder_;
   ivec2 size_;
   std::vector<std::string> lines_;
+  std::optional<ivec2> released_at_;  // by a click that the window may not have seen the end of
 };
 
 }  // namespace plinian
