@@ -43,6 +43,7 @@ struct BatchState {
   gl::Buffer block;                          // for light_maps(): lights and maps, see light_lookup.glsl
   std::shared_ptr<const std::string> glsl;   // likewise
   std::size_t light_count = 0;               // of the last picture; 0: it had no maps
+  std::uint64_t version = 0;                 // of the texels of the maps
 };
 
 /// Everything that lives on the GPU: gone as a whole when the context is lost.
@@ -85,6 +86,7 @@ class GlRenderer final : public Renderer {
   std::optional<gl::EglContext> context_;
   std::optional<GpuState> gpu_;
   RenderStats stats_;
+  std::uint64_t map_versions_ = 0;  // ever given
 };
 
 std::vector<const passes::VolumeTextures*> GlRenderer::upload(const FlatScene& flat) {
@@ -123,11 +125,13 @@ void GlRenderer::build_maps(const FlatScene& flat, BatchState& batch, const std:
     batch.maps = gl::make_texel_buffer(GL_RGBA32UI, texels, sizeof(uvec4), nullptr);
     batch.map_texels = texels;
     batch.built.assign(flat.maps.size(), std::nullopt);
+    batch.version = ++map_versions_;
   }
   for (std::size_t i = 0; i < flat.maps.size(); ++i) {
     MapKey key = map_key(flat, int(i));
     if (batch.built[i] && rebuild_reason(*batch.built[i], key).empty()) continue;
     batch.built[i].reset();
+    batch.version = ++map_versions_;
     if (!gpu_->map_pass.build(gpu_->blocks, flat, int(i), batch.maps, go_on)) throw RenderCancelled();
     batch.built[i] = std::move(key);
     ++stats_.map_builds;
@@ -160,7 +164,7 @@ std::vector<GlLightMap> GlRenderer::light_maps() const {
   if (!gpu_) return result;
   for (const BatchState& batch : gpu_->batches)
     for (std::size_t l = 0; l < batch.light_count; ++l)
-      result.push_back({batch.maps.texture.name(), batch.block.name(), int(l), batch.glsl});
+      result.push_back({batch.maps.texture.name(), batch.block.name(), int(l), batch.glsl, batch.version});
   return result;
 }
 

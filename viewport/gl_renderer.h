@@ -2,6 +2,7 @@
 // given.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,6 +23,7 @@ struct GlLightMap {
   unsigned block = 0;                       // GL name of a uniform buffer
   int light = 0;                            // its number for plinian_light()
   std::shared_ptr<const std::string> glsl;  // the same for maps of one layout
+  std::uint64_t version = 0;                // of the texels: as long as it is the same, they are
 };
 
 /// The maps of the picture that a GL renderer made last, one for each light of its scene, in order; empty

@@ -33,10 +33,9 @@ PlinianLightMap plain(const GlLightMap& from) {
 
 }  // namespace
 
-std::vector<DrawLight> lights_of(const SceneSnapshot& scene, Renderer& renderer) {
+std::vector<DrawLight> lights_of(const SceneSnapshot& scene, const std::vector<GlLightMap>& maps) {
   std::vector<DrawLight> lights;
   for (const Light& light : scene.lights) lights.push_back({light});
-  const std::vector<GlLightMap> maps = light_maps(renderer);
   for (std::size_t i = 0; i < std::min(lights.size(), maps.size()); ++i) lights[i].map = maps[i];
   return lights;
 }

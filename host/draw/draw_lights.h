@@ -16,8 +16,8 @@ struct DrawLight {
   GlLightMap map = {};
 };
 
-/// The lights of the picture that a renderer made last, which was of that scene.
-std::vector<DrawLight> lights_of(const SceneSnapshot& scene, Renderer& renderer);
+/// The lights of a picture of that scene. maps: of it, in the order of its lights; fewer where it had none.
+std::vector<DrawLight> lights_of(const SceneSnapshot& scene, const std::vector<GlLightMap>& maps);
 
 /// Lights as plug-ins are given them.
 class PlainLights {

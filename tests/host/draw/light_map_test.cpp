@@ -1,6 +1,7 @@
 // A plug-in's own shader looks up how much of a light arrives, in the maps that the renderer made.
 #include "host/sdk/plugin.h"
 #include "tests/host/draw/draw_scene.h"
+#include "viewport/light_map_upload.h"
 
 namespace plinian::draw {
 namespace {
@@ -142,7 +143,7 @@ struct GaugeScene : DrawScene {
 TEST(LightMap, AShaderOfAPluginLooksUpWhatArrivesOfEachLight) {
   GaugeScene s;
   s.renderer->render(s.scene, 1);
-  s.view.lights = lights_of(s.scene, *s.renderer);
+  s.view.lights = lights_of(s.scene, light_maps(*s.renderer));
   ASSERT_EQ(s.view.lights.size(), 3u);
   for (const std::size_t light : {0u, 1u, 2u}) {
     const auto [mean, most] = s.error_of(light);
@@ -155,21 +156,95 @@ TEST(LightMap, AShaderOfAPluginLooksUpWhatArrivesOfEachLight) {
 
 TEST(LightMap, ThereIsNoneWhereThePictureHasNone) {
   GaugeScene s;
-  EXPECT_EQ(lights_of(s.scene, *s.renderer)[0].map.glsl, nullptr) << "no picture yet";
+  EXPECT_EQ(lights_of(s.scene, light_maps(*s.renderer))[0].map.glsl, nullptr) << "no picture yet";
   s.renderer->render(s.scene, 1);
-  EXPECT_NE(lights_of(s.scene, *s.renderer)[1].map.glsl, nullptr);
-  const auto before = lights_of(s.scene, *s.renderer)[0].map.glsl;
+  EXPECT_NE(lights_of(s.scene, light_maps(*s.renderer))[1].map.glsl, nullptr);
+  const auto before = lights_of(s.scene, light_maps(*s.renderer))[0].map.glsl;
   s.renderer->render(s.scene, 1);
-  EXPECT_EQ(lights_of(s.scene, *s.renderer)[0].map.glsl, before) << "the same program will do";
+  EXPECT_EQ(lights_of(s.scene, light_maps(*s.renderer))[0].map.glsl, before) << "the same program will do";
   s.scene.quality.map.resolution = 128;
   s.renderer->render(s.scene, 1);
-  EXPECT_NE(lights_of(s.scene, *s.renderer)[0].map.glsl, before);
+  EXPECT_NE(lights_of(s.scene, light_maps(*s.renderer))[0].map.glsl, before);
   s.scene.media.clear();
   s.renderer->render(s.scene, 1);
-  EXPECT_EQ(lights_of(s.scene, *s.renderer)[0].map.glsl, nullptr);
-  s.view.lights = lights_of(s.scene, *s.renderer);
+  EXPECT_EQ(lights_of(s.scene, light_maps(*s.renderer))[0].map.glsl, nullptr);
+  s.view.lights = lights_of(s.scene, light_maps(*s.renderer));
   s.picture();
   EXPECT_EQ(s.driver->take_reports(), std::vector<std::string>{"g: draw failed: the light has no map"});
+}
+
+// Uploads all of it; how often that took another turn.
+int upload_all(LightMapUpload& upload, const LightMapCopyPtr& copy, std::chrono::microseconds budget) {
+  int turns = 1;
+  while (upload.upload(copy, budget)) ++turns;
+  return turns;
+}
+
+TEST(LightMap, ACopyOnAContextThatSharesNothingTellsTheSame) {
+  GaugeScene s;
+  s.renderer->render(s.scene, 1);
+  // The same picture by a renderer with a context of its own, whose maps go through memory.
+  const std::unique_ptr<Renderer> other = make_gl_renderer();
+  EXPECT_EQ(copy_light_maps(*other, nullptr), nullptr) << "no picture yet";
+  other->render(s.scene, 1);
+  const LightMapCopyPtr copy = copy_light_maps(*other, nullptr);
+  ASSERT_TRUE(copy);
+  s.context.make_current();
+  LightMapUpload upload;
+  EXPECT_GT(upload_all(upload, copy, std::chrono::microseconds(1)), 1) << "in slices";
+  ASSERT_EQ(upload.maps().size(), 3u);
+  for (const std::size_t light : {0u, 1u, 2u}) {
+    s.view.lights = lights_of(s.scene, upload.maps());
+    const auto [mean, most] = s.error_of(light);
+    EXPECT_LT(mean, 0.01) << light;
+    EXPECT_LT(most, 0.08) << light;
+    const auto copied = s.drawn();
+    s.view.lights = lights_of(s.scene, light_maps(*s.renderer));
+    EXPECT_EQ(copied, s.drawn()) << light << ": to the bit what the renderer's own maps tell";
+  }
+  EXPECT_TRUE(s.driver->take_reports().empty());
+  gl::check_errors("the test");
+}
+
+TEST(LightMap, ACopyIsMadeOfWhatWasBuiltAnewAlone) {
+  GaugeScene s;
+  s.renderer->render(s.scene, 1);
+  const LightMapCopyPtr first = copy_light_maps(*s.renderer, nullptr);
+  ASSERT_TRUE(first);
+  s.scene.camera = look_at(dvec3(1, 0, 6), dvec3(0), dvec3(0, 1, 0), 40.0);
+  s.renderer->render(s.scene, 1);
+  EXPECT_EQ(copy_light_maps(*s.renderer, first), first) << "another view, the same maps";
+  s.scene.lights[1].position = vec3(0.5f, 0.5f, 2.0f);
+  s.renderer->render(s.scene, 1);
+  const LightMapCopyPtr second = copy_light_maps(*s.renderer, first);
+  ASSERT_TRUE(second);
+  EXPECT_NE(second, first);
+  EXPECT_NE(*second->batches[0].texels, *first->batches[0].texels);
+
+  // What is drawn stays what it was until all of the new is there.
+  LightMapUpload upload;
+  upload_all(upload, first, std::chrono::seconds(1));
+  ASSERT_TRUE(upload.upload(second, std::chrono::microseconds(0)));
+  EXPECT_EQ(upload.shown(), first);
+  s.view.lights = lights_of(s.scene, upload.maps());
+  s.run("setAttr g.light 1");
+  const auto before = s.picture();
+  upload_all(upload, second, std::chrono::seconds(1));
+  s.view.lights = lights_of(s.scene, upload.maps());
+  EXPECT_NE(s.picture(), before);
+  EXPECT_LT(s.error_of(1).first, 0.01);
+
+  // Maps that stay as they are keep their buffer where only what goes with them is another.
+  auto third = std::make_shared<LightMapCopy>(*second);
+  third->batches[0].lights = 2;
+  const unsigned texels = upload.maps()[0].texels;
+  upload_all(upload, third, std::chrono::seconds(1));
+  EXPECT_EQ(upload.maps().size(), 2u);
+  EXPECT_EQ(upload.maps()[0].texels, texels);
+  upload.upload(nullptr, std::chrono::seconds(1));
+  EXPECT_TRUE(upload.maps().empty());
+  EXPECT_FALSE(glIsTexture(texels)) << "let go of";
+  gl::check_errors("the test");
 }
 
 }  // namespace
