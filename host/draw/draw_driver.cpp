@@ -23,6 +23,7 @@ struct DrawDriver::Item {
   DataPtr shown, next;                      // drawn, and being uploaded
   void *resources = nullptr, *next_resources = nullptr;
   bool drawable = false, failed = false;  // failed: with the data that are shown
+  std::string told;                       // the failure that was reported last
 };
 
 namespace {
@@ -95,8 +96,12 @@ bool DrawDriver::prepare() {
   for (auto& [node, item] : items_) {
     if (item->request == 0 && evaluator.is_dirty(item->plug)) {
       const std::weak_ptr<Item> weak = item;
-      item->request = evaluator.request({item->plug}, [weak](const graph::Evaluator::Outcome&) {
-        if (const std::shared_ptr<Item> item = weak.lock()) item->request = 0;
+      item->request = evaluator.request({item->plug}, [this, weak](const graph::Evaluator::Outcome& outcome) {
+        const std::shared_ptr<Item> item = weak.lock();
+        if (!item) return;
+        item->request = 0;
+        if (outcome.cancelled || outcome.results.empty() || !outcome.results[0]->error) return;
+        report(*item, "prepare failed: " + session_.evaluator().error_text(item->plug, *outcome.results[0]));
       });
     }
     if (item->request != 0) {
@@ -115,7 +120,9 @@ bool DrawDriver::prepare() {
   return busy;
 }
 
-void DrawDriver::report(const Item& item, const std::string& what) {
+void DrawDriver::report(Item& item, const std::string& what) {
+  if (item.told == what) return;
+  item.told = what;
   const graph::Node* node = session_.graph().find(item.node);
   reports_.push_back((node ? node->name : item.type) + ": " + what);
 }
@@ -250,8 +257,30 @@ PlinianDrawContext DrawDriver::context_for(const Item& item, const DrawView& vie
   return context;
 }
 
+std::vector<graph::NodeId> DrawDriver::drawable() const {
+  std::vector<graph::NodeId> nodes;
+  for (const auto& [node, item] : items_)
+    if (item->drawable && !item->failed && session_.graph().find(node)) nodes.push_back(node);
+  return nodes;
+}
+
+namespace {
+
+// What overrides may rely on.
+void begin_state() {
+  for (const GLenum off : {GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_RASTERIZER_DISCARD})
+    glDisable(off);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glDepthMask(GL_TRUE);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+}  // namespace
+
 void DrawDriver::draw(const DrawView& view, const Place& place) {
   const GlState outer;
+  begin_state();
   glBindFramebuffer(GL_FRAMEBUFFER, view.framebuffer);
   glViewport(view.viewport.x, view.viewport.y, view.viewport.z, view.viewport.w);
   lights_ = PlainLights(view.lights);
@@ -265,6 +294,7 @@ void DrawDriver::draw(const DrawView& view, const Place& place) {
     item->failed = !guarded_by_state(*item, "draw", "drawing", [&] {
       return draw.draw(draw.user, &context, item->shown->object.get(), item->resources) != 0;
     });
+    if (!item->failed) item->told.clear();
   }
 }
 
@@ -277,11 +307,20 @@ std::optional<DrawDriver::Hit> DrawDriver::hit(const DrawView& view, const Place
     if (!world_from_object) continue;
     const PlinianDrawContext context = context_for(*item, view, *world_from_object);
     double distance = 0.0;
-    const sdk::InsidePlugin inside(item->override_->owner, "asked what is hit of",
-                                   session_.graph().find(node)->name.c_str());
-    if (draw.hit(draw.user, &context, item->shown->object.get(), pixel.x, pixel.y, &distance) &&
-        (!nearest || distance < nearest->distance))
-      nearest = Hit{node, distance};
+    bool is_hit = false;
+    failure_.clear();
+    {
+      const sdk::InsidePlugin inside(item->override_->owner, "asked what is hit of",
+                                     session_.graph().find(node)->name.c_str());
+      try {
+        is_hit = draw.hit(draw.user, &context, item->shown->object.get(), pixel.x, pixel.y, &distance) != 0;
+      } catch (...) {
+        failure_ = "it threw an exception";  // an override that does not use plugin.h
+        is_hit = false;
+      }
+    }
+    if (!failure_.empty()) report(*item, "hit failed: " + failure_);
+    if (is_hit && (!nearest || distance < nearest->distance)) nearest = Hit{node, distance};
   }
   return nearest;
 }

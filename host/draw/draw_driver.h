@@ -46,7 +46,10 @@ class DrawDriver : private sdk::DrawOverrideListener {
   bool prepare();
   /// Uploads for about that long. Returns whether anything is left to be uploaded.
   bool upload(std::chrono::microseconds budget);
-  /// Draws everything that is uploaded and visible. Binds the view's framebuffer and viewport for it.
+  /// Nodes of which something would be drawn where they are visible.
+  std::vector<graph::NodeId> drawable() const;
+  /// Draws everything that is uploaded and visible. Binds the view's framebuffer and viewport for it; what is
+  /// nearer hides what is further, nothing is blended or culled until an override asks for it.
   void draw(const DrawView& view, const Place& place);
   /// The nearest node that an override says is at a pixel of the framebuffer (from its lower left), and how
   /// far along the view ray that is [world]. No GL.
@@ -56,8 +59,8 @@ class DrawDriver : private sdk::DrawOverrideListener {
   };
   std::optional<Hit> hit(const DrawView& view, const Place& place, vec2 pixel);
 
-  /// What failed since the last call, one line for each cause. Failures to prepare are the evaluator's to
-  /// tell.
+  /// What failed since the last call, one line for each cause: what fails in the same way time after time
+  /// is told once, until it was drawn.
   std::vector<std::string> take_reports();
 
   struct Counters {
@@ -72,7 +75,7 @@ class DrawDriver : private sdk::DrawOverrideListener {
   bool upload_slice(Item& item);
   void release(Item& item, void*& resources);
   void drop(Item& item);
-  void report(const Item& item, const std::string& what);
+  void report(Item& item, const std::string& what);
   bool guarded_by_state(Item& item, const char* what, const char* doing, const std::function<bool()>& action);
   PlinianDrawContext context_for(const Item& item, const DrawView& view,
                                  const dmat4& world_from_object) const;

@@ -32,7 +32,8 @@ fs::path panes_file() {
 
 }  // namespace
 
-Interface::Interface(MainWindow& window, Studio& studio) : window_(window), studio_(studio) {
+Interface::Interface(MainWindow& window, Studio& studio)
+    : window_(window), studio_(studio), drawings_(studio, MainWindow::gl_function) {
   if (std::ifstream file(panes_file()); file)
     sizes_ = read_pane_sizes({std::istreambuf_iterator<char>(file), {}});
   studio_.commands.draw_meanwhile = [this] { draw_meanwhile(); };
@@ -51,7 +52,8 @@ Interface::~Interface() {
 double Interface::patience() const {
   if (studio_.commands.has_work()) return 0.0;
   if (redraws_ > 0) return std::max(0.0, earliness());
-  if (studio_.is_hand_on() || studio_.feed.is_computing() || timeline_.is_playing()) return 0.015;
+  if (studio_.is_hand_on() || studio_.feed.is_computing() || drawings_.is_busy() || timeline_.is_playing())
+    return 0.015;
   const double idle = studio_.renderer.status().is_busy ? 0.1 : 1.0;
   return std::min(idle, studio_.comparison.until_next_turn());
 }
@@ -86,6 +88,8 @@ void Interface::turn() {
   note_work(true);
   if (events) redraws_ = 2;
   take_input();
+  // First, because what it takes over from workers may be the feed's.
+  if (drawings_.update()) redraws_ = std::max(redraws_, 2);
   if (studio_.feed.update()) redraws_ = std::max(redraws_, 2);
   if (was_computing != studio_.feed.is_computing() || was_hand_on != studio_.is_hand_on() || most > 0.05)
     redraws_ = std::max(redraws_, 1);
@@ -250,7 +254,7 @@ void Interface::show_panels() {
   above.size.y = strip;
   picture.begin.y += strip;
   picture.size.y = std::max(1.0f, picture.size.y - strip);
-  viewport_.show(studio_, picture, window_.pixel_ratio());
+  viewport_.show(studio_, drawings_, picture, window_.pixel_ratio());
   ImGui::BeginDisabled(busy);
   show_view_strip(studio_, above);
   if (studio_.show_panels) {

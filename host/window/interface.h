@@ -3,6 +3,7 @@
 
 #include <chrono>
 
+#include "host/window/drawing/drawings.h"
 #include "host/window/panels/attribute_panel.h"
 #include "host/window/panels/console_panel.h"
 #include "host/window/panels/file_dialog.h"
@@ -42,6 +43,7 @@ class Interface {
   MainWindow& window_;
   Studio& studio_;
   PaneSizes sizes_;
+  Drawings drawings_;
   ViewportPanel viewport_;
   OutlinerPanel outliner_;
   LightPanel lights_;

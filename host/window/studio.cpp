@@ -74,7 +74,7 @@ void Studio::update_picture() {
     ++number_;
     asked_ = wanted;
   }
-  renderer.ask({std::move(wanted), number_, is_hand_on()});
+  renderer.ask({std::move(wanted), number_, is_hand_on(), wants_light_maps});
   comparison.update();
 }
 

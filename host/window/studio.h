@@ -50,7 +50,8 @@ class Studio {
   Development development;
   OverlayChoice overlay;
   bool original_maps = false;
-  ivec2 picture_size{512};  // [pixels] of the picture at rest, as the viewport has room for it
+  bool wants_light_maps = false;  // plug-ins draw over the picture
+  ivec2 picture_size{512};        // [pixels] of the picture at rest, as the viewport has room for it
 
   // What makes pictures.
   ViewRenderer renderer;

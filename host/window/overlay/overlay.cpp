@@ -9,6 +9,7 @@
 
 #include "host/graph/graph_error.h"
 #include "host/scene/placed.h"
+#include "host/window/drawing/drawings.h"
 #include "host/window/overlay/ground_grid.h"
 #include "host/window/overlay/icons.h"
 #include "host/window/overlay/pick.h"
@@ -215,7 +216,8 @@ void Overlay::show(Studio& studio, const ViewPicture& picture, vec2 begin, vec2 
   list->PopClipRect();
 }
 
-void Overlay::select(Studio& studio, const ViewPicture& picture, vec2 begin, vec2 size, bool free) {
+void Overlay::select(Studio& studio, Drawings& drawings, const ViewPicture& picture, vec2 begin, vec2 size,
+                     bool free) {
   const ImGuiIO& io = ImGui::GetIO();
   const vec2 mouse(io.MousePos.x, io.MousePos.y);
   if (free && ImGui::IsMouseClicked(0)) {
@@ -232,6 +234,9 @@ void Overlay::select(Studio& studio, const ViewPicture& picture, vec2 begin, vec
       nearest = away;
       node = icon.node;
     }
+  // Icons lie over everything, but are not as exact as what is drawn in the scene.
+  if (const auto drawn = drawings.hit((mouse - begin) / size); drawn && nearest > scaled(6))
+    node = drawn->node;
   const SceneSnapshot& scene = picture.scene;
   if (node.empty()) {
     const Projection projection(scene.camera, scene.width, scene.height, begin, size);

@@ -14,13 +14,15 @@
 namespace plinian::window {
 
 struct WorldLine;
+class Drawings;
 
 class Overlay {
  public:
   /// Draws what is chosen over the picture that is shown. begin, size: [points] where that is.
   void show(Studio& studio, const ViewPicture& picture, vec2 begin, vec2 size);
   /// Selects by the mouse. free: it is in the viewport, and nobody else's.
-  void select(Studio& studio, const ViewPicture& picture, vec2 begin, vec2 size, bool free);
+  void select(Studio& studio, Drawings& drawings, const ViewPicture& picture, vec2 begin, vec2 size,
+              bool free);
 
  private:
   struct Icon {

@@ -5,6 +5,7 @@ namespace plinian::window {
 
 struct OverlayChoice {
   bool grid = true, axes = true, scale_bar = true, bounds = true, icons = true, gate = true;
+  bool drawings = true;  // of plug-ins
 };
 
 }  // namespace plinian::window

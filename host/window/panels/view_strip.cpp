@@ -80,7 +80,8 @@ void show_what_is_drawn(Studio& studio) {
   const std::pair<const char*, bool*> rows[] = {
       {"ground grid", &overlay.grid},         {"axes", &overlay.axes},
       {"scale bar", &overlay.scale_bar},      {"bounds of what is selected", &overlay.bounds},
-      {"lights and cameras", &overlay.icons}, {"gate of the scene's camera", &overlay.gate}};
+      {"lights and cameras", &overlay.icons}, {"gate of the scene's camera", &overlay.gate},
+      {"plug-in drawings", &overlay.drawings}};
   for (const auto& [name, on] : rows) {
     ImGui::Checkbox(name, on);
     note_item(studio, (std::string("show ") + name).c_str());

@@ -73,7 +73,21 @@ void ViewportPanel::take_picture(Studio& studio) {
                                 shown->psnr ? fmt::format(" psnr {:.1f}", *shown->psnr) : ""));
 }
 
-void ViewportPanel::show(Studio& studio, const PaneRect& pane, double pixel_ratio) {
+// With what plug-ins draw over it, where they do.
+void ViewportPanel::show_image(Drawings& drawings, vec2 begin, vec2 size, float pixel_ratio) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const auto add = [&](unsigned texture, ImVec2 first, ImVec2 last) {
+    list->AddImage(ImTextureID(std::intptr_t(texture)), to_im(begin), to_im(begin + size), first, last);
+  };
+  if (Canvas* canvas = drawings.over(texture_, size.x)) {
+    canvas->filter(size * pixel_ratio);
+    return add(canvas->texture(), {0.0f, 1.0f}, {1.0f, 0.0f});
+  }
+  texture_.filter(size * pixel_ratio);
+  add(texture_.name(), {0.0f, 0.0f}, {1.0f, 1.0f});
+}
+
+void ViewportPanel::show(Studio& studio, Drawings& drawings, const PaneRect& pane, double pixel_ratio) {
   settle_size(studio, pane, pixel_ratio);
   take_picture(studio);
   ImGui::SetNextWindowPos(to_im(pane.begin));
@@ -96,9 +110,7 @@ void ViewportPanel::show(Studio& studio, const PaneRect& pane, double pixel_rati
       size = vec2(frame.width, frame.height) * scale;
       begin = picture_.begin + (picture_.size - size) * 0.5f;
     }
-    texture_.filter(size * float(pixel_ratio));
-    ImGui::GetWindowDrawList()->AddImage(ImTextureID(std::intptr_t(texture_.name())), to_im(begin),
-                                         to_im(begin + size));
+    show_image(drawings, begin, size, float(pixel_ratio));
     shown = {begin, size};
   }
   ImGui::SetCursorScreenPos(to_im(pane.begin));
@@ -111,7 +123,7 @@ void ViewportPanel::show(Studio& studio, const PaneRect& pane, double pixel_rati
   if (texture_.name() != 0) {
     const ViewPicture& picture = *texture_.shown()->picture;
     overlay_.show(studio, picture, shown.begin, shown.size);
-    overlay_.select(studio, picture, shown.begin, shown.size, hovered && !comparison_.is_held());
+    overlay_.select(studio, drawings, picture, shown.begin, shown.size, hovered && !comparison_.is_held());
   }
   probe_.choose(studio, picture_, hovered && !comparison_.is_held());
   hand_.move(studio, picture_, hovered && !comparison_.is_held());

@@ -1,6 +1,7 @@
 // The picture, what is written over it, and the hand in it.
 #pragma once
 
+#include "host/window/drawing/drawings.h"
 #include "host/window/overlay/overlay.h"
 #include "host/window/panels/comparison_overlay.h"
 #include "host/window/panels/layout.h"
@@ -14,11 +15,12 @@ namespace plinian::window {
 
 class ViewportPanel {
  public:
-  void show(Studio& studio, const PaneRect& pane, double pixel_ratio);
+  void show(Studio& studio, Drawings& drawings, const PaneRect& pane, double pixel_ratio);
 
  private:
   void settle_size(Studio& studio, const PaneRect& pane, double pixel_ratio);
   void take_picture(Studio& studio);
+  void show_image(Drawings& drawings, vec2 begin, vec2 size, float pixel_ratio);
 
   PictureTexture texture_;
   ComparisonOverlay comparison_;

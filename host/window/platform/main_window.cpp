@@ -183,6 +183,10 @@ void MainWindow::wake() {
   glfwPostEmptyEvent();
 }
 
+void* MainWindow::gl_function(const char* name) {
+  return reinterpret_cast<void*>(glfwGetProcAddress(name));
+}
+
 void MainWindow::begin_frame() {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();

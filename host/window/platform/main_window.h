@@ -36,6 +36,9 @@ class MainWindow {
   /// Ends a wait from any thread; counts as an event.
   static void wake();
 
+  /// The address of a GL function; null where there is none.
+  static void* gl_function(const char* name);
+
   void begin_frame();
   /// Draws the interface over `background` and shows it.
   void end_frame(vec3 background);

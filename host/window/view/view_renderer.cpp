@@ -46,11 +46,14 @@ void ViewRenderer::ask(ViewRequest request) {
   {
     const std::lock_guard lock(mutex_);
     const ivec2 size(request.scene.width, request.scene.height);
-    if (request.number == asked_number_ && size == asked_size_ && request.hand_on == asked_hand_on_) return;
+    if (request.number == asked_number_ && size == asked_size_ && request.hand_on == asked_hand_on_ &&
+        request.light_maps == asked_light_maps_)
+      return;
     if (waiting_) ++status_.dropped;
     asked_number_ = request.number;
     asked_size_ = size;
     asked_hand_on_ = request.hand_on;
+    asked_light_maps_ = request.light_maps;
     waiting_ = std::move(request);
   }
   news_.notify_all();
@@ -74,7 +77,10 @@ class ViewRenderer::Thread {
   void serve(const ViewRequest& request) {
     if (!renderer_) renderer_ = owner_.make_();
     start_ = Clock::now();
-    if (!refines(request) && !relight(request)) render_quick(request);
+    if (refines(request))
+      add_light_maps(request);
+    else if (!relight(request))
+      render_quick(request);
     if (!request.hand_on && !is_overtaken(request) && !at_rest_) render_to_rest(request);
   }
 
@@ -98,13 +104,26 @@ class ViewRenderer::Thread {
     owner_.status_.share = share;
   }
 
+  // To a picture that is up already.
+  void add_light_maps(const ViewRequest& request) {
+    if (!request.light_maps || !shown_ || shown_->light_maps) return;
+    copied_ = copy_light_maps(*renderer_, copied_);
+    if (!copied_) return;
+    auto picture = std::make_shared<ViewPicture>(*shown_);
+    picture->light_maps = copied_;
+    const bool is_base = rendered_ == shown_;
+    show(std::move(picture));
+    if (is_base) rendered_ = shown_;
+  }
+
   // From the layers of what was rendered last, where only the power of lights is another one.
   bool relight(const ViewRequest& request) {
     if (!rendered_) return false;
     std::optional<Frame> frame = relit(rendered_->frame, rendered_->scene, request.scene);
     if (!frame) return false;
     const ViewPicturePtr base = rendered_;
-    publish(request, std::move(*frame), base->quick, base->at_rest, base->passes);
+    // The power of a light is in no map.
+    publish(request, std::move(*frame), base->quick, base->at_rest, base->passes, base->light_maps);
     rendered_ = base;  // the next one is made of it, too: nothing is lost by many
     return true;
   }
@@ -166,7 +185,8 @@ class ViewRenderer::Thread {
     }
   }
 
-  void publish(const ViewRequest& request, Frame frame, bool quick, bool at_rest, int passes) {
+  void publish(const ViewRequest& request, Frame frame, bool quick, bool at_rest, int passes,
+               const LightMapCopyPtr& light_maps = nullptr) {
     auto picture = std::make_shared<ViewPicture>();
     picture->frame = std::move(frame);
     picture->scene = request.scene;
@@ -176,10 +196,18 @@ class ViewRenderer::Thread {
     picture->passes = passes;
     picture->stats = renderer_->stats();
     picture->render_ms = milliseconds_since(start_);
+    if (request.light_maps)
+      picture->light_maps = light_maps ? light_maps : copy_light_maps(*renderer_, copied_);
+    copied_ = picture->light_maps;
     rendered_ = picture;
     at_rest_ = at_rest;
     shown_number_ = request.number;
     shown_size_ = {request.scene.width, request.scene.height};
+    show(std::move(picture));
+  }
+
+  void show(ViewPicturePtr picture) {
+    shown_ = picture;
     {
       const std::lock_guard lock(owner_.mutex_);
       owner_.picture_ = std::move(picture);
@@ -193,7 +221,8 @@ class ViewRenderer::Thread {
   InteractiveCost cost_;
   QuickMaps quick_maps_;
   Clock::time_point start_;
-  ViewPicturePtr rendered_;
+  ViewPicturePtr rendered_, shown_;
+  LightMapCopyPtr copied_;  // of the last picture that wanted light maps
   bool at_rest_ = false;
   std::uint64_t shown_number_ = 0;
   ivec2 shown_size_{0};

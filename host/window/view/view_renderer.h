@@ -11,7 +11,7 @@
 #include <string>
 #include <thread>
 
-#include "core/scene/renderer.h"
+#include "viewport/light_map_copy.h"
 
 namespace plinian::window {
 
@@ -19,6 +19,7 @@ struct ViewRequest {
   SceneSnapshot scene;       // its size: of the picture at rest [pixels]
   std::uint64_t number = 0;  // of what it shows: another number, another picture
   bool hand_on = false;      // it is about to change again: a quick picture is enough
+  bool light_maps = false;   // somebody draws over it who may look them up
 };
 
 /// A picture as it was rendered. Immutable.
@@ -30,7 +31,8 @@ struct ViewPicture {
   bool at_rest = false;      // no further pass follows
   int passes = 0;
   RenderStats stats;
-  double render_ms = 0.0;  // wall clock since the request was taken up
+  double render_ms = 0.0;      // wall clock since the request was taken up
+  LightMapCopyPtr light_maps;  // that it was made with, where the request wanted them and there are any
 };
 using ViewPicturePtr = std::shared_ptr<const ViewPicture>;
 
@@ -45,7 +47,8 @@ class ViewRenderer {
   ViewRenderer(const ViewRenderer&) = delete;
   ViewRenderer& operator=(const ViewRenderer&) = delete;
 
-  /// Takes the place of the request before. One for the same number and size only tells whether a hand is on.
+  /// Takes the place of the request before. One for the same number and size only tells whether a hand is on
+  /// and whether light maps are wanted.
   void ask(ViewRequest request);
   /// The newest picture, or null before the first.
   ViewPicturePtr picture() const;
@@ -70,7 +73,7 @@ class ViewRenderer {
   std::optional<ViewRequest> waiting_;
   std::uint64_t asked_number_ = 0;
   ivec2 asked_size_{0};
-  bool asked_hand_on_ = false;
+  bool asked_hand_on_ = false, asked_light_maps_ = false;
   ViewPicturePtr picture_;
   Status status_;
   bool stopping_ = false;

@@ -218,10 +218,28 @@ TEST(DrawDriver, AFailureIsToldOnceAndEndsWithTheDataThatCauseIt) {
   EXPECT_EQ(s.green_pixels(s.picture()), 0);
   s.run("setAttr s.fault \"\"");
   EXPECT_EQ(s.green_pixels(s.picture()), 32 * 32);
-  // What cannot be prepared leaves the last good drawing, and is the evaluator's to tell.
-  EXPECT_TRUE(failing("prepare").empty());
+  // What cannot be prepared leaves the last good drawing.
+  EXPECT_EQ(failing("prepare"), std::vector<std::string>{"s: prepare failed: no data today"});
   EXPECT_EQ(s.green_pixels(s.picture()), 32 * 32);
   EXPECT_EQ(s.session.evaluator().take_reports(), std::vector<std::string>{"s.drawData: no data today"});
+}
+
+// A parameter that is dragged makes other data each time, which fail in the same way.
+TEST(DrawDriver, ACauseIsToldAgainOnlyWhenItWasGone) {
+  SquareScene s;
+  s.run("setAttr s.fault draw");
+  s.picture();
+  EXPECT_TRUE(s.driver->drawable().empty());
+  EXPECT_EQ(s.driver->take_reports().size(), 1u);
+  s.run("setAttr s.half 0.5");
+  s.picture();
+  EXPECT_TRUE(s.driver->take_reports().empty());
+  s.run("setAttr s.fault \"\"");
+  s.picture();
+  EXPECT_EQ(s.driver->drawable(), std::vector<graph::NodeId>{s.node("s")});
+  s.run("setAttr s.fault draw");
+  s.picture();
+  EXPECT_EQ(s.driver->take_reports(), std::vector<std::string>{"s: draw failed: no ink"});
 }
 
 TEST(DrawDriver, FindsTheNearestNodeUnderAPixel) {

@@ -28,6 +28,7 @@ struct DrawScene : sdk::PluginSession {
   DrawView view;
   std::unique_ptr<DrawDriver> driver;
   std::set<graph::NodeId> hidden;
+  float depth_beneath = 1.0f;  // where the picture stands
 
   DrawScene() {
     glCreateRenderbuffers(2, targets.data());
@@ -65,9 +66,8 @@ struct DrawScene : sdk::PluginSession {
   /// As it comes on the screen now.
   std::vector<std::array<unsigned char, 4>> drawn() {
     const std::array<float, 4> black{};
-    const float far = 1.0f;
     glClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, black.data());
-    glClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &far);
+    glClearNamedFramebufferfv(framebuffer, GL_DEPTH, 0, &depth_beneath);
     driver->draw(view, [this](graph::NodeId node) { return place(node); });
     std::vector<std::array<unsigned char, 4>> pixels(size * size);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);

@@ -70,6 +70,30 @@ TEST_P(Tutorial, LoadsDrawsUndoesUnloads) {
   EXPECT_TRUE(s.driver->take_reports().empty());
 }
 
+TEST_P(Tutorial, IsHiddenBehindThePictureAndHitWhereItIsDrawn) {
+  DrawScene s;
+  s.run("loadPlugin \"" + library(GetParam()) + "\"\naddMarker 1.5\nselect -clear");
+  EXPECT_GT(ring_pixels(s.picture(), orange, 1.5), 100);
+  s.depth_beneath = 0.4f;  // the ring stands half way between the planes
+  EXPECT_EQ(ring_pixels(s.picture(), orange, 1.5), 0);
+  s.depth_beneath = 0.6f;
+  EXPECT_GT(ring_pixels(s.picture(), orange, 1.5), 100);
+
+  s.view.view_from_world = glm::translate(dmat4(1.0), dvec3(0, 0, -2));
+  const auto hit = [&](float x, float y) {
+    return s.driver->hit(s.view, [&](graph::NodeId node) { return s.place(node); }, {x, y});
+  };
+  ASSERT_TRUE(hit(32 + 24, 32));
+  EXPECT_EQ(hit(32 + 24, 32)->node, s.session.graph().get("marker1").id);
+  EXPECT_LE(hit(32 + 24, 32)->distance, std::hypot(1.5, 2.0) + 1e-6);
+  EXPECT_GE(hit(32 + 24, 32)->distance, std::hypot(1.5 * std::cos(std::numbers::pi / 64.0), 2.0) - 1e-6)
+      << "the middle of a side";
+  EXPECT_TRUE(hit(32 - 17, 32 - 17));
+  EXPECT_TRUE(hit(32, 32 + 26)) << "beside it, but no more than four points";
+  EXPECT_FALSE(hit(32, 32 + 29));
+  EXPECT_FALSE(hit(32, 32)) << "the middle is empty";
+}
+
 TEST_P(Tutorial, SaysWhatItBrings) {
   DrawScene s;
   EXPECT_EQ(s.run("pluginInfo \"" + library(GetParam()) + "\""),

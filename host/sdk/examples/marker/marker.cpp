@@ -69,6 +69,34 @@ void release(const Gl&, RingObjects& objects) {
   glDeleteProgram(objects.program);
 }
 
+// Along each side, whether the pixel is within four points of it.
+std::optional<double> hit(const DrawContext& context, const Ring& ring, float x, float y) {
+  const PlinianDrawContext& plain = context.plain;
+  const Matrix view_from_object = DrawContext::product(plain.view_from_world, plain.world_from_object);
+  const auto clip_from_object = context.clip_from_object();
+  std::optional<double> nearest;
+  for (std::size_t i = 0; i < ring.points.size(); i += 3)
+    for (double share = 0.0; share < 1.0; share += 0.1) {
+      std::array<double, 4> clip{};
+      std::array<double, 3> view{};
+      for (std::size_t k = 0; k < 4; ++k) {
+        const double here = k < 3 ? ring.points[i + k] : 1.0;
+        const double next = k < 3 ? ring.points[(i + 3) % ring.points.size() + k] : 1.0;
+        for (std::size_t row = 0; row < 4; ++row)
+          clip[row] += clip_from_object[4 * k + row] * std::lerp(here, next, share);
+        for (std::size_t row = 0; row < 3; ++row)
+          view[row] += view_from_object[4 * k + row] * std::lerp(here, next, share);
+      }
+      if (clip[3] <= 0.0) continue;  // behind the eye
+      const double away =
+          std::hypot(plain.viewport[0] + plain.viewport[2] * (0.5 + 0.5 * clip[0] / clip[3]) - x,
+                     plain.viewport[1] + plain.viewport[3] * (0.5 + 0.5 * clip[1] / clip[3]) - y);
+      const double distance = std::hypot(view[0], view[1], view[2]);
+      if (away < 4.0 * plain.pixel_ratio && distance < nearest.value_or(INFINITY)) nearest = distance;
+    }
+  return nearest;
+}
+
 NodeType marker() {
   NodeType type("marker");
   type.help = "A ring that marks a place.";
@@ -99,7 +127,8 @@ NodeType marker() {
                                                     .prepare = prepare,
                                                     .upload = upload,
                                                     .draw = draw,
-                                                    .release = release});
+                                                    .release = release,
+                                                    .hit = hit});
   return type;
 }
 

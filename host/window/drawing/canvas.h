@@ -1,0 +1,45 @@
+// A framebuffer that begins as the picture that is shown, with its depth, for plug-ins to draw on.
+#pragma once
+
+#include "host/window/drawing/view_matrices.h"
+#include "host/window/view/picture_texture.h"
+#include "viewport/gl/objects.h"
+
+namespace plinian::window {
+
+/// Everything with the window's context current, the destruction too.
+class Canvas {
+ public:
+  Canvas() = default;
+  ~Canvas();
+  Canvas(const Canvas&) = delete;
+  Canvas& operator=(const Canvas&) = delete;
+
+  /// Takes the size at rest of the picture that the texture shows, however small that is now, its colours and
+  /// depths.
+  void begin(const PictureTexture& picture, const ViewMatrices& matrices);
+  /// Lets go of everything.
+  void clear();
+
+  ivec2 size() const { return size_; }  // [pixels]; 0 before it begins
+  unsigned framebuffer() const { return framebuffer_; }
+  /// What is on it, the bottom row first.
+  unsigned texture() const { return colour_.name(); }
+  /// The picture beneath, the bottom row first and as large as it was rendered: linear radiance, and
+  /// distances [world], infinite where there is nothing.
+  unsigned radiance() const { return radiance_.name(); }
+  unsigned distances() const { return distances_.name(); }
+  /// To be shown that large [pixels of the screen].
+  void filter(vec2 place);
+
+ private:
+  void settle(ivec2 size, ivec2 frame_size);
+
+  unsigned framebuffer_ = 0, source_ = 0;  // GL; source: reads the picture's texture
+  gl::Texture colour_, depth_, radiance_, distances_;
+  ivec2 size_{0}, frame_size_{0};  // [pixels]
+  ViewPicturePtr beneath_;         // that radiance, distances and depths are of
+  std::vector<float> depths_;      // see depth_buffer_of()
+};
+
+}  // namespace plinian::window
