@@ -1,9 +1,11 @@
-// Textures of a framebuffer.
+// Textures of a framebuffer. They are filled from memory: a blit that scales and turns would have llvmpipe
+// compile for some 40 to 90 ms first.
 #include "host/window/drawing/canvas.h"
 
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace plinian::window {
 
@@ -37,21 +39,18 @@ Canvas::~Canvas() {
 }
 
 void Canvas::clear() {
-  for (unsigned* framebuffer : {&framebuffer_, &source_}) {
-    if (*framebuffer != 0) glDeleteFramebuffers(1, framebuffer);
-    *framebuffer = 0;
-  }
+  if (framebuffer_ != 0) glDeleteFramebuffers(1, &framebuffer_);
+  framebuffer_ = 0;
   for (gl::Texture* texture : {&colour_, &depth_, &radiance_, &distances_}) *texture = gl::Texture();
   size_ = frame_size_ = ivec2(0);
+  developed_ = nullptr;
   beneath_ = nullptr;
+  colours_ = {};
   depths_ = {};
 }
 
 void Canvas::settle(ivec2 size, ivec2 frame_size) {
-  if (framebuffer_ == 0) {
-    glCreateFramebuffers(1, &framebuffer_);
-    glCreateFramebuffers(1, &source_);
-  }
+  if (framebuffer_ == 0) glCreateFramebuffers(1, &framebuffer_);
   if (size != size_) {
     colour_ = make_texture_2d(GL_RGBA8, size, GL_LINEAR);
     // However plug-ins blend, the window does not shine through.
@@ -60,6 +59,7 @@ void Canvas::settle(ivec2 size, ivec2 frame_size) {
     glNamedFramebufferTexture(framebuffer_, GL_COLOR_ATTACHMENT0, colour_.name(), 0);
     glNamedFramebufferTexture(framebuffer_, GL_DEPTH_ATTACHMENT, depth_.name(), 0);
     size_ = size;
+    developed_ = nullptr;
     beneath_ = nullptr;
   }
   if (frame_size != frame_size_) {
@@ -70,8 +70,8 @@ void Canvas::settle(ivec2 size, ivec2 frame_size) {
   }
 }
 
-void Canvas::begin(const PictureTexture& picture, const ViewMatrices& matrices) {
-  const ViewPicturePtr& shown = picture.shown()->picture;
+void Canvas::begin(const DevelopedPtr& developed, const ViewMatrices& matrices) {
+  const ViewPicturePtr& shown = developed->picture;
   const Frame& frame = shown->frame;
   const ivec2 size(shown->scene.width, shown->scene.height), frame_size(frame.width, frame.height);
   settle(size, frame_size);
@@ -83,11 +83,9 @@ void Canvas::begin(const PictureTexture& picture, const ViewMatrices& matrices) 
     beneath_ = shown;
   }
   glTextureSubImage2D(depth_.name(), 0, 0, 0, size.x, size.y, GL_DEPTH_COMPONENT, GL_FLOAT, depths_.data());
-  // The picture's texture begins with its top row.
-  glNamedFramebufferTexture(source_, GL_COLOR_ATTACHMENT0, picture.name(), 0);
-  glBlitNamedFramebuffer(source_, framebuffer_, 0, 0, frame_size.x, frame_size.y, 0, size.y, size.x, 0,
-                         GL_COLOR_BUFFER_BIT, frame_size == size ? GL_NEAREST : GL_LINEAR);
-  glNamedFramebufferTexture(source_, GL_COLOR_ATTACHMENT0, 0, 0);  // it may go
+  if (developed != developed_) colours_ = colour_buffer_of(*developed, size);
+  developed_ = developed;
+  glTextureSubImage2D(colour_.name(), 0, 0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, colours_.data());
 }
 
 void Canvas::filter(vec2 place) {
@@ -95,6 +93,38 @@ void Canvas::filter(vec2 place) {
   const GLint wanted = ivec2(glm::round(place)) == size_ ? GL_NEAREST : GL_LINEAR;
   for (const GLenum way : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
     glTextureParameteri(colour_.name(), way, wanted);
+}
+
+std::vector<std::uint8_t> colour_buffer_of(const Developed& developed, ivec2 size) {
+  const ivec2 from(developed.width, developed.height);
+  std::vector<std::uint8_t> colours(4 * std::size_t(size.x) * std::size_t(size.y), 255);
+  // The two pixels that one lies between along an axis, and 256 times the share of the second.
+  struct Between {
+    int first, second, share;
+  };
+  const auto between = [](int at, int count, int source) {
+    const double place = std::clamp((at + 0.5) * source / count - 0.5, 0.0, double(source - 1));
+    const int first = int(place);
+    return Between{first, std::min(first + 1, source - 1), int(std::lround((place - first) * 256.0))};
+  };
+  std::vector<Between> columns;
+  for (int x = 0; x < size.x; ++x) columns.push_back(between(x, size.x, from.x));
+  for (int y = 0; y < size.y; ++y) {
+    const Between rows = between(size.y - 1 - y, size.y, from.y);
+    const std::uint8_t* upper = developed.bytes.data() + 3 * std::size_t(rows.first) * std::size_t(from.x);
+    const std::uint8_t* lower = developed.bytes.data() + 3 * std::size_t(rows.second) * std::size_t(from.x);
+    std::uint8_t* to = colours.data() + 4 * std::size_t(y) * std::size_t(size.x);
+    for (const Between& column : columns) {
+      const int a = 3 * column.first, b = 3 * column.second;
+      for (int c = 0; c < 3; ++c) {
+        const int above = upper[a + c] * (256 - column.share) + upper[b + c] * column.share;
+        const int below = lower[a + c] * (256 - column.share) + lower[b + c] * column.share;
+        to[c] = std::uint8_t((above * (256 - rows.share) + below * rows.share + 32768) >> 16);
+      }
+      to += 4;
+    }
+  }
+  return colours;
 }
 
 }  // namespace plinian::window

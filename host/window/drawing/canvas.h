@@ -2,7 +2,7 @@
 #pragma once
 
 #include "host/window/drawing/view_matrices.h"
-#include "host/window/view/picture_texture.h"
+#include "host/window/view/developer.h"
 #include "viewport/gl/objects.h"
 
 namespace plinian::window {
@@ -15,9 +15,8 @@ class Canvas {
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
 
-  /// Takes the size at rest of the picture that the texture shows, however small that is now, its colours and
-  /// depths.
-  void begin(const PictureTexture& picture, const ViewMatrices& matrices);
+  /// Takes the size at rest of a picture, however small it was rendered, its colours and depths.
+  void begin(const DevelopedPtr& developed, const ViewMatrices& matrices);
   /// Lets go of everything.
   void clear();
 
@@ -35,11 +34,17 @@ class Canvas {
  private:
   void settle(ivec2 size, ivec2 frame_size);
 
-  unsigned framebuffer_ = 0, source_ = 0;  // GL; source: reads the picture's texture
+  unsigned framebuffer_ = 0;  // GL
   gl::Texture colour_, depth_, radiance_, distances_;
-  ivec2 size_{0}, frame_size_{0};  // [pixels]
-  ViewPicturePtr beneath_;         // that radiance, distances and depths are of
-  std::vector<float> depths_;      // see depth_buffer_of()
+  ivec2 size_{0}, frame_size_{0};      // [pixels]
+  DevelopedPtr developed_;             // that the colours are of
+  ViewPicturePtr beneath_;             // that radiance, distances and depths are of
+  std::vector<std::uint8_t> colours_;  // see colour_buffer_of()
+  std::vector<float> depths_;          // see depth_buffer_of()
 };
+
+/// A developed picture as r g b a of another size [pixels], 0 to 255, the bottom row first; between the
+/// pixels where the sizes differ.
+std::vector<std::uint8_t> colour_buffer_of(const Developed& developed, ivec2 size);
 
 }  // namespace plinian::window

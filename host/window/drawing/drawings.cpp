@@ -83,11 +83,11 @@ std::optional<dmat4> Drawings::place(graph::NodeId node) const {
   return found == places_.end() ? std::nullopt : std::optional(found->second);
 }
 
-Canvas* Drawings::over(const PictureTexture& picture, float points) {
-  if (!studio_.overlay.drawings || places_.empty() || !picture.shown()) return nullptr;
-  beneath_ = picture.shown()->picture;
+Canvas* Drawings::over(const DevelopedPtr& picture, float points) {
+  if (!studio_.overlay.drawings || places_.empty() || !picture) return nullptr;
+  beneath_ = picture->picture;
   const auto now = [&] {
-    return Drawn{picture.shown(),
+    return Drawn{picture,
                  places_,
                  studio_.session().graph().selection(),
                  maps_.shown(),
@@ -105,7 +105,7 @@ Canvas* Drawings::over(const PictureTexture& picture, float points) {
   return &canvas_;
 }
 
-void Drawings::draw(const PictureTexture& picture, float points) {
+void Drawings::draw(const DevelopedPtr& picture, float points) {
   const auto begin = std::chrono::steady_clock::now();
   const SceneSnapshot& scene = beneath_->scene;
   const ViewMatrices matrices = view_matrices(scene);

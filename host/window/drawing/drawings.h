@@ -26,7 +26,7 @@ class Drawings {
 
   /// The picture with what is drawn over it, as large as it is at rest; null where nothing is. points: how
   /// wide it is shown.
-  Canvas* over(const PictureTexture& picture, float points);
+  Canvas* over(const DevelopedPtr& picture, float points);
 
   struct Hit {
     std::string node;
@@ -59,7 +59,7 @@ class Drawings {
   };
   void find_places();
   void tell(const std::string& line);
-  void draw(const PictureTexture& picture, float points);
+  void draw(const DevelopedPtr& picture, float points);
   std::optional<dmat4> place(graph::NodeId node) const;
 
   Studio& studio_;

@@ -79,7 +79,7 @@ void ViewportPanel::show_image(Drawings& drawings, vec2 begin, vec2 size, float 
   const auto add = [&](unsigned texture, ImVec2 first, ImVec2 last) {
     list->AddImage(ImTextureID(std::intptr_t(texture)), to_im(begin), to_im(begin + size), first, last);
   };
-  if (Canvas* canvas = drawings.over(texture_, size.x)) {
+  if (Canvas* canvas = drawings.over(texture_.shown(), size.x)) {
     canvas->filter(size * pixel_ratio);
     return add(canvas->texture(), {0.0f, 1.0f}, {1.0f, 0.0f});
   }

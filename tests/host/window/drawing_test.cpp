@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/scene/framing.h"
+#include "host/window/drawing/canvas.h"
 #include "host/window/drawing/view_matrices.h"
 #include "host/window/overlay/projection.h"
 
@@ -70,6 +71,29 @@ TEST(ViewMatrices, TheDepthOfThePictureIsThatOfWhatStandsThere) {
       EXPECT_GT(window_place(matrices, projection.eye() + way * (distance * 1.0005), size).z, depth)
           << x << ' ' << y;
     }
+}
+
+TEST(Canvas, BeginsWithThePictureTurnedAndAsLargeAsItWillBe) {
+  Developed developed;
+  developed.width = 3;
+  developed.height = 2;
+  for (int i = 0; i < 18; ++i) developed.bytes.push_back(std::uint8_t(10 * i));
+  const std::vector<std::uint8_t> same = colour_buffer_of(developed, {3, 2});
+  ASSERT_EQ(same.size(), 24u);
+  for (int y = 0; y < 2; ++y)
+    for (int x = 0; x < 3; ++x) {
+      for (int c = 0; c < 3; ++c)
+        EXPECT_EQ(same[std::size_t(4 * ((1 - y) * 3 + x) + c)], 10 * (3 * (3 * y + x) + c));
+      EXPECT_EQ(same[std::size_t(4 * (3 * y + x) + 3)], 255);
+    }
+  // Along a row red is 0, 30, 60 at 1/6, 3/6, 5/6 of the width, and 90 more in the lower one.
+  const std::vector<std::uint8_t> large = colour_buffer_of(developed, {12, 8});
+  ASSERT_EQ(large.size(), 4u * 12u * 8u);
+  const auto red = [&](int x, int y) { return int(large[std::size_t(4 * ((7 - y) * 12 + x))]); };
+  EXPECT_EQ(red(0, 0), 0) << "no further than the outermost pixels";
+  EXPECT_EQ(red(11, 7), 150);
+  EXPECT_NEAR(red(6, 0), (6.5 / 12.0 * 3.0 - 0.5) * 30.0, 0.6);
+  EXPECT_NEAR(red(6, 4), (6.5 / 12.0 * 3.0 - 0.5) * 30.0 + (4.5 / 8.0 * 2.0 - 0.5) * 90.0, 0.6);
 }
 
 }  // namespace
