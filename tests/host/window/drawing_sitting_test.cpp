@@ -1,48 +1,13 @@
 // What a plug-in draws, seen in the window by somebody who sits before it.
-#include <gtest/gtest.h>
+#include "tests/host/window/drawing_sitting.h"
 
 #include <cmath>
-#include <cstdlib>
-
-#include "core/files/atomic_file.h"
-#include "core/image/image_io.h"
-#include "tests/host/window/sitting.h"
 
 namespace plinian {
 namespace {
 
-constexpr ivec2 size(1100, 760);
-
-// A white ball of radius 1 around the origin, seen from (0, 0, 6) with 40 degrees from top to bottom.
-constexpr const char* scene = R"({"volume": "sphere", "density_scale": 40.0, "size": [640, 480],
-  "camera": {"eye": [0, 0, 6], "target": [0, 0, 0], "fov_y_degrees": 40},
-  "lights": [{"type": "directional", "toward": [0.3, 0.5, 1], "irradiance": [9, 9, 9]}]})";
-
-class DrawingSitting : public testing::Test {
+class MarkerSitting : public DrawingSitting {
  protected:
-  void SetUp() override {
-    if (const std::string problem = Sitting::problem(); !problem.empty()) GTEST_SKIP() << problem;
-    sitting_ = std::make_unique<Sitting>(std::vector<std::string>{files_.write("ball.json", scene)}, size);
-    sitting_->wait_for(" still", sitting_->wait_for([](const std::string& line) {
-      return line.find(" picture ") != line.npos && line.find(" rest ") != line.npos;
-    }));
-    command("loadPlugin \"" PLINIAN_TEST_PLUGINS "/marker.so\"");
-  }
-  /// Types it, and waits until what it does is seen.
-  void command(const std::string& line) {
-    sitting_->click(sitting_->middle("command line"));
-    sitting_->wait_for_keys("keys to a field");
-    const std::size_t before = sitting_->now();
-    sitting_->type(line);
-    sitting_->stroke("Return");
-    sitting_->wait_for(" still", sitting_->wait_for("ran " + line, before));
-  }
-  void keep(const std::string& name) {
-    const char* folder = std::getenv("PLINIAN_SITTING_PICTURES");
-    if (!folder) return;
-    const Pixels seen = sitting_->pixels({0, 0, size.x, size.y});
-    write_file(std::string(folder) + "/" + name, encode_png(seen.rgb, seen.width, seen.height));
-  }
   /// Of a length in the plane z. [points]
   double points(double length, double z = 0.0) {
     const double half_height = std::tan(20.0 * 3.14159265358979 / 180.0) * (6.0 - z);
@@ -65,11 +30,10 @@ class DrawingSitting : public testing::Test {
   }
 
   static constexpr std::array<int, 3> orange = {255, 128, 0};
-  TemporaryFolder files_;
-  std::unique_ptr<Sitting> sitting_;
 };
 
-TEST_F(DrawingSitting, AMarkerIsSeenWhereItStandsUntilItIsHiddenOrItsPluginGoes) {
+TEST_F(MarkerSitting, AMarkerIsSeenWhereItStandsUntilItIsHiddenOrItsPluginGoes) {
+  sit_down();
   command("addMarker 1.5");
   command("select -clear");
   keep("drawing-1-marker.png");
@@ -134,7 +98,8 @@ TEST_F(DrawingSitting, AMarkerIsSeenWhereItStandsUntilItIsHiddenOrItsPluginGoes)
   EXPECT_EQ(sitting_->errors(), "");
 }
 
-TEST_F(DrawingSitting, AClickOnItSelectsIt) {
+TEST_F(MarkerSitting, AClickOnItSelectsIt) {
+  sit_down();
   command("addMarker 1.5");
   command("select -clear");
   const ivec4 place = sitting_->item("picture");
@@ -156,7 +121,8 @@ TEST_F(DrawingSitting, AClickOnItSelectsIt) {
 }
 
 // Nothing is drawn again while nothing changes; a picture that moves takes the drawing with it.
-TEST_F(DrawingSitting, ItIsDrawnAgainOnlyWhenThereIsSomethingNew) {
+TEST_F(MarkerSitting, ItIsDrawnAgainOnlyWhenThereIsSomethingNew) {
+  sit_down();
   command("addMarker 1.5");
   command("select -clear");
   const auto drawings = [&] {
@@ -176,12 +142,7 @@ TEST_F(DrawingSitting, ItIsDrawnAgainOnlyWhenThereIsSomethingNew) {
   sitting_->key_down("Alt_L");
   sitting_->drag({place.x + 60, place.y + 60}, {place.x + 160, place.y + 60});
   sitting_->key_up("Alt_L");
-  sitting_->wait_for(" still", sitting_->wait_for(
-                                   [](const std::string& line) {
-                                     return line.find(" picture ") != line.npos &&
-                                            line.find(" rest ") != line.npos;
-                                   },
-                                   since));
+  wait_for_rest(since);
   keep("drawing-5-turned.png");
   // Each drawing is over the picture that was shown last, not over the view that is asked for.
   std::string shown;
