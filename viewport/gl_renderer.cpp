@@ -77,6 +77,7 @@ class GlRenderer final : public Renderer {
   bool context_lost();
   void make_context_again();
   std::vector<const passes::VolumeTextures*> upload(const FlatScene& flat);
+  std::shared_ptr<const std::string> kept_text(std::string text);
   void publish(const FlatScene& flat, BatchState& batch);
   void build_maps(const FlatScene& flat, BatchState& batch, const std::function<bool()>& go_on);
   Frame render_once(const SceneSnapshot& scene, const Passes& passes, const Progress& progress);
@@ -86,7 +87,8 @@ class GlRenderer final : public Renderer {
   std::optional<gl::EglContext> context_;
   std::optional<GpuState> gpu_;
   RenderStats stats_;
-  std::uint64_t map_versions_ = 0;  // ever given
+  std::uint64_t map_versions_ = 0;                         // ever given
+  std::vector<std::shared_ptr<const std::string>> texts_;  // of the last kinds of maps, for shaders
 };
 
 std::vector<const passes::VolumeTextures*> GlRenderer::upload(const FlatScene& flat) {
@@ -139,6 +141,17 @@ void GlRenderer::build_maps(const FlatScene& flat, BatchState& batch, const std:
   stats_.map_bytes += texels * sizeof(uvec4);
 }
 
+// The same object for the same text, so that whoever made a program with it finds that again: quick maps and
+// those at rest take turns.
+std::shared_ptr<const std::string> GlRenderer::kept_text(std::string text) {
+  for (const auto& kept : texts_)
+    if (*kept == text) return kept;
+  constexpr std::size_t most = 8;
+  if (texts_.size() == most) texts_.erase(texts_.begin());
+  texts_.push_back(std::make_shared<const std::string>(std::move(text)));
+  return texts_.back();
+}
+
 // What light_maps() tells of a batch of lights whose maps are built.
 void GlRenderer::publish(const FlatScene& flat, BatchState& batch) {
   struct Block {
@@ -155,7 +168,7 @@ void GlRenderer::publish(const FlatScene& flat, BatchState& batch) {
                                       {"MAP_RESOLUTION", std::to_string(flat.layout.resolution)},
                                       {"MAP_COEFFICIENTS", std::to_string(flat.layout.coefficients)},
                                       {"MAP_WEIGHTING", std::to_string(flat.layout.weighting)}});
-  if (!batch.glsl || *batch.glsl != glsl) batch.glsl = std::make_shared<const std::string>(std::move(glsl));
+  if (!batch.glsl || *batch.glsl != glsl) batch.glsl = kept_text(std::move(glsl));
   batch.light_count = flat.lights.size();
 }
 

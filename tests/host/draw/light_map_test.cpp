@@ -165,6 +165,9 @@ TEST(LightMap, ThereIsNoneWhereThePictureHasNone) {
   s.scene.quality.map.resolution = 128;
   s.renderer->render(s.scene, 1);
   EXPECT_NE(lights_of(s.scene, light_maps(*s.renderer))[0].map.glsl, before);
+  s.scene.quality.map.resolution = 256;
+  s.renderer->render(s.scene, 1);
+  EXPECT_EQ(lights_of(s.scene, light_maps(*s.renderer))[0].map.glsl, before) << "as it was made before";
   s.scene.media.clear();
   s.renderer->render(s.scene, 1);
   EXPECT_EQ(lights_of(s.scene, light_maps(*s.renderer))[0].map.glsl, nullptr);
