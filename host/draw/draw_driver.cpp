@@ -3,6 +3,7 @@
 
 #include <epoxy/gl.h>
 
+#include <unordered_map>
 #include <utility>
 
 #include "host/draw/gl_state.h"
@@ -62,6 +63,8 @@ DrawDriver::~DrawDriver() {
 
 // Nodes that have an override now, and no others.
 void DrawDriver::find_items() {
+  std::unordered_map<const graph::NodeType*, graph::AttributeIndex>
+      outputs;  // there are fewer types than nodes
   const graph::Graph& graph = session_.graph();
   if (graph.generation() == generation_) return;
   generation_ = graph.generation();
@@ -75,7 +78,9 @@ void DrawDriver::find_items() {
     at = items_.erase(at);
   }
   for (const graph::Node* node : graph.nodes()) {
-    const graph::AttributeIndex output = sdk::draw_data_of(*node->type);
+    const auto [known, is_new] = outputs.try_emplace(node->type.get(), graph::no_attribute);
+    if (is_new) known->second = sdk::draw_data_of(*node->type);
+    const graph::AttributeIndex output = known->second;
     if (output == graph::no_attribute || items_.contains(node->id)) continue;
     const DrawOverridePtr found = plugins_.draw_override(node->type->name());
     if (!found) continue;
@@ -296,6 +301,11 @@ void DrawDriver::draw(const DrawView& view, const Place& place) {
     });
     if (!item->failed) item->told.clear();
   }
+}
+
+bool DrawDriver::has_hit(graph::NodeId node) const {
+  const auto found = items_.find(node);
+  return found != items_.end() && found->second->override_->table.hit;
 }
 
 std::optional<DrawDriver::Hit> DrawDriver::hit(const DrawView& view, const Place& place, vec2 pixel) {

@@ -57,6 +57,8 @@ class DrawDriver : private sdk::DrawOverrideListener {
     graph::NodeId node;
     double distance = 0.0;
   };
+  /// Whether hit() asks the override of a node; where not, only drawing it tells.
+  bool has_hit(graph::NodeId node) const;
   std::optional<Hit> hit(const DrawView& view, const Place& place, vec2 pixel);
 
   /// What failed since the last call, one line for each cause: what fails in the same way time after time

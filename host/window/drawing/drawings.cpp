@@ -109,6 +109,7 @@ void Drawings::draw(const DevelopedPtr& picture, float points) {
   const auto begin = std::chrono::steady_clock::now();
   const SceneSnapshot& scene = beneath_->scene;
   const ViewMatrices matrices = view_matrices(scene);
+  near_depth_ = matrices.near_depth;
   canvas_.begin(picture, matrices);
   view_ = {};
   view_.view_from_world = matrices.view_from_world;
@@ -131,8 +132,24 @@ void Drawings::draw(const DevelopedPtr& picture, float points) {
 std::optional<Drawings::Hit> Drawings::hit(vec2 at) {
   if (!beneath_ || !studio_.overlay.drawings || canvas_.size() == ivec2(0)) return std::nullopt;
   const vec2 size(canvas_.size());
-  const auto found = driver_.hit(
-      view_, [this](graph::NodeId node) { return place(node); }, vec2(at.x, 1.0f - at.y) * size);
+  const vec2 pixel = vec2(at.x, 1.0f - at.y) * size;
+  auto found = driver_.hit(
+      view_, [this](graph::NodeId node) { return place(node); }, pixel);
+  for (const auto& [node, matrix] : places_) {
+    if (driver_.has_hit(node)) continue;
+    const auto alone = [this, only = node](graph::NodeId other) {
+      return other == only ? place(other) : std::nullopt;
+    };
+    const auto depth =
+        touch_.depth_at(view_, pixel, [&](const draw::DrawView& view) { driver_.draw(view, alone); });
+    if (!depth) continue;
+    // What writes no depth lies over everything.
+    const double along_axis = *depth < 1.0f ? near_depth_ / (1.0 - double(*depth)) : near_depth_;
+    const dvec2 film = (dvec2(at.x, 1.0f - at.y) * 2.0 - 1.0 + dvec2(view_.clip_from_view[2])) /
+                       dvec2(view_.clip_from_view[0][0], view_.clip_from_view[1][1]);
+    const double distance = along_axis * std::sqrt(1.0 + glm::dot(film, film));
+    if (!found || distance < found->distance) found = draw::DrawDriver::Hit{node, distance};
+  }
   const graph::Node* node = found ? studio_.session().graph().find(found->node) : nullptr;
   if (!node) return std::nullopt;
   const Frame& frame = beneath_->frame;

@@ -7,6 +7,7 @@
 
 #include "host/draw/draw_driver.h"
 #include "host/window/drawing/canvas.h"
+#include "host/window/drawing/touch.h"
 #include "host/window/studio.h"
 #include "viewport/light_map_upload.h"
 
@@ -32,7 +33,8 @@ class Drawings {
     std::string node;
     double distance = 0.0;  // [world] along the line of sight
   };
-  /// The nearest node that says it is there, and is not behind a medium. at: [-] of the picture that was
+  /// The nearest node that says it is there or, where it does not know, is drawn there, and is not behind a
+  /// medium. at: [-] of the picture that was
   /// drawn over last, from its upper left.
   std::optional<Hit> hit(vec2 at);
 
@@ -65,13 +67,15 @@ class Drawings {
   Studio& studio_;
   draw::DrawDriver driver_;
   Canvas canvas_;
+  Touch touch_;
   LightMapUpload maps_;
   Moment moment_;
   std::map<graph::NodeId, dmat4> places_;  // world_from_object of what is visible
   std::set<std::string> unplaced_;         // why nodes have no place, as it was told
   ViewPicturePtr beneath_;                 // that was drawn over last
   Drawn drawn_;
-  draw::DrawView view_;  // of that
+  draw::DrawView view_;      // of that
+  double near_depth_ = 0.0;  // [world] likewise
   bool busy_ = false;
 };
 

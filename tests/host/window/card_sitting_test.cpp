@@ -24,14 +24,18 @@ class CardSitting : public DrawingSitting {
     command("select -clear");
   }
   void TearDown() override { unsetenv("PLINIAN_CARD_LOG"); }
-  /// What is seen of a point in the world.
-  std::array<int, 3> seen(const dvec3& world) {
+  /// Where a point of the world is seen.
+  ivec2 point(const dvec3& world) {
     const CameraRays rays = camera_rays(look_at({0, 4, 6}, {0, 0, 0}, {0, 1, 0}, 40.0), 640, 480);
     const dvec3 lens = glm::inverse(dmat3(dvec3(rays.right), dvec3(rays.up), dvec3(rays.forward))) *
                        (world - dvec3(rays.origin));
     const ivec4 place = sitting_->item("picture");
-    const ivec2 at(place.x + int((0.5 + 0.5 * lens.x / lens.z) * place.z),
-                   place.y + int((0.5 - 0.5 * lens.y / lens.z) * place.w));
+    return {place.x + int((0.5 + 0.5 * lens.x / lens.z) * place.z),
+            place.y + int((0.5 - 0.5 * lens.y / lens.z) * place.w)};
+  }
+  /// What is seen there.
+  std::array<int, 3> seen(const dvec3& world) {
+    const ivec2 at = point(world);
     const Pixels pixel = sitting_->pixels({at.x, at.y, 1, 1});
     return {pixel.rgb[0], pixel.rgb[1], pixel.rgb[2]};
   }
@@ -67,6 +71,20 @@ TEST_F(CardSitting, ItsShaderSeesTheShadowsOfThePicture) {
   command("setAttr light0.exposure -1");
   EXPECT_LT(seen(below)[0], 20);
   EXPECT_GT(seen(beside)[0], 235);
+}
+
+// Its override has no hit function.
+TEST_F(CardSitting, AClickOnWhatIsDrawnSelectsIt) {
+  const auto selected_by = [&](const dvec3& world) {
+    const std::size_t before = sitting_->now();
+    sitting_->click(point(world));
+    const std::string line = sitting_->line(sitting_->wait_for("ran select ", before));
+    return line.substr(line.find("select "), line.find(" (") - line.find("select "));
+  };
+  EXPECT_EQ(selected_by(beside), "select card1");
+  EXPECT_EQ(selected_by({0.0, 0.8, 0.6}), "select medium_shape") << "the card goes on behind it";
+  EXPECT_EQ(selected_by(below), "select card1");
+  EXPECT_EQ(selected_by({0.0, 2.2, -1.0}), "select -clear") << "above both";
 }
 
 TEST_F(CardSitting, WhatFailsIsToldOnceAndLeavesThePicture) {
