@@ -1,7 +1,6 @@
 // World matrices and visibility.
 #include "host/scene/placed.h"
 
-#include "core/scene/placement.h"
 #include "host/graph/graph_error.h"
 #include "host/graph/model/conversion.h"
 #include "host/graph/model/hierarchy.h"
@@ -31,7 +30,7 @@ Plug Placed::plug(const Node& node, const std::string& path) const {
   return graph::Graph::plug(node, path);
 }
 
-dmat4 Placed::local_matrix(const Node& node) const {
+Placement Placed::placement(const Node& node) const {
   const auto three = [&](const char* name, const dvec3& otherwise) {
     const AttributeIndex compound = node.schema->find(name);
     if (compound == graph::no_attribute || (*node.schema)[compound].children.size() != 3) return otherwise;
@@ -47,7 +46,7 @@ dmat4 Placed::local_matrix(const Node& node) const {
   placement.pivot = three("pivot", placement.pivot);
   if (const AttributeIndex order = node.schema->find("rotate_order"); order != graph::no_attribute)
     placement.order = RotateOrder(int(number({node.id, order})));
-  return matrix_of(placement);
+  return placement;
 }
 
 dmat4 Placed::world_matrix(NodeId id) const {

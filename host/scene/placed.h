@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "core/scene/placement.h"
 #include "core/shared/glue.h"
 #include "host/graph/evaluation/evaluator.h"
 #include "host/graph/model/graph.h"
@@ -23,7 +24,8 @@ class Placed {
   /// world_from_own: the matrices of the node and of all that it is under, by the attributes translate,
   /// rotate, rotate_order, scale and pivot where a type has them.
   dmat4 world_matrix(graph::NodeId node) const;
-  dmat4 local_matrix(const graph::Node& node) const;
+  dmat4 local_matrix(const graph::Node& node) const { return matrix_of(placement(node)); }
+  Placement placement(const graph::Node& node) const;
 
   /// Whether the node and all that it is under are visible and, where `isolated` is not empty, whether it is
   /// one of those, or above or under one.

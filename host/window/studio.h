@@ -16,6 +16,7 @@
 #include "host/window/console/console_log.h"
 #include "host/window/files/playblast.h"
 #include "host/window/files/scene_files.h"
+#include "host/window/handles/tool_choice.h"
 #include "host/window/hotkeys/hotkeys.h"
 #include "host/window/navigation/viewpoint.h"
 #include "host/window/overlay/overlay_choice.h"
@@ -49,6 +50,7 @@ class Studio {
   Viewpoint viewpoint;
   Development development;
   OverlayChoice overlay;
+  ToolChoice tools;
   bool original_maps = false;
   bool wants_light_maps = false;  // plug-ins draw over the picture
   ivec2 picture_size{512};        // [pixels] of the picture at rest, as the viewport has room for it

@@ -33,6 +33,11 @@ void key_selection(Studio& studio) {
 
 bool is_of_the_view(Action action) {
   switch (action) {
+    case Action::tool_select:
+    case Action::tool_translate:
+    case Action::tool_rotate:
+    case Action::tool_scale:
+    case Action::axis_space:
     case Action::frame_all:
     case Action::camera_back:
     case Action::camera_forth:
@@ -55,6 +60,12 @@ bool is_of_the_view(Action action) {
 }
 
 void act(Studio& studio, Action action) {
+  // While a handle is held, what is not of the view waits: the drag is the last step of undo.
+  if (studio.tools.is_dragging && action == Action::cancel) {
+    studio.tools.give_up = true;
+    return;
+  }
+  if (studio.tools.is_dragging && !is_of_the_view(action)) return;
   const bool selected = !studio.session().graph().selection().empty();
   Comparison& comparison = studio.comparison;
   switch (action) {
@@ -81,6 +92,21 @@ void act(Studio& studio, Action action) {
       return;
     case Action::duplicate_nodes:
       if (selected) studio.run("duplicate");
+      return;
+    case Action::tool_select:
+      studio.tools.tool = Tool::select;
+      return;
+    case Action::tool_translate:
+      studio.tools.tool = Tool::translate;
+      return;
+    case Action::tool_rotate:
+      studio.tools.tool = Tool::rotate;
+      return;
+    case Action::tool_scale:
+      studio.tools.tool = Tool::scale;
+      return;
+    case Action::axis_space:
+      studio.tools.switch_space();
       return;
     case Action::frame_selection:
       return studio.viewpoint.frame(true, studio.picture_size);

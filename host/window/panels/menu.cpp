@@ -144,6 +144,17 @@ void show_menu(Studio& studio) {
     item(studio, "Delete", Action::delete_nodes);
     ImGui::EndMenu();
   }
+  if (ImGui::BeginMenu("Tools")) {
+    const Tool tool = studio.tools.tool;
+    item(studio, "Select", Action::tool_select, true, tool == Tool::select);
+    item(studio, "Translate", Action::tool_translate, true, tool == Tool::translate);
+    item(studio, "Rotate", Action::tool_rotate, true, tool == Tool::rotate);
+    item(studio, "Scale", Action::tool_scale, true, tool == Tool::scale);
+    ImGui::Separator();
+    item(studio, "Its own axes", Action::axis_space, tool == Tool::translate || tool == Tool::rotate,
+         studio.tools.space() == AxisSpace::local);
+    ImGui::EndMenu();
+  }
   if (ImGui::BeginMenu("Create")) {
     create_menu(studio);
     ImGui::EndMenu();

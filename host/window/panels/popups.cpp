@@ -118,6 +118,7 @@ void show_hotkey_list(Studio& studio) {
     row("Alt + middle", "track");
     row("Alt + right, wheel", "dolly");
     row("L + left", "turn the key light around the medium");
+    row("drag a handle", "Ctrl in round steps, Shift slowly; Esc takes it back");
     row("drag a number", "Ctrl fine, Shift coarse; click to type, also *2, +=3");
     for (const Hotkey& hotkey : studio.hotkeys.all()) {
       if (hotkey.group != group) {

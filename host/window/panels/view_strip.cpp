@@ -78,15 +78,46 @@ void show_what_is_drawn(Studio& studio) {
   if (!ImGui::BeginPopup("##show")) return;
   OverlayChoice& overlay = studio.overlay;
   const std::pair<const char*, bool*> rows[] = {
-      {"ground grid", &overlay.grid},         {"axes", &overlay.axes},
-      {"scale bar", &overlay.scale_bar},      {"bounds of what is selected", &overlay.bounds},
-      {"lights and cameras", &overlay.icons}, {"gate of the scene's camera", &overlay.gate},
-      {"plug-in drawings", &overlay.drawings}};
+      {"ground grid", &overlay.grid},          {"axes", &overlay.axes},
+      {"scale bar", &overlay.scale_bar},       {"bounds of what is selected", &overlay.bounds},
+      {"lights and cameras", &overlay.icons},  {"gate of the scene's camera", &overlay.gate},
+      {"plug-in drawings", &overlay.drawings}, {"handles", &studio.tools.show}};
   for (const auto& [name, on] : rows) {
     ImGui::Checkbox(name, on);
     note_item(studio, (std::string("show ") + name).c_str());
   }
   ImGui::EndPopup();
+}
+
+// The tools by their keys, as on a keyboard.
+void show_tools(Studio& studio) {
+  const auto chord = [&](Action action) { return text_of(studio.hotkeys.chord(action)); };
+  const struct {
+    Action action;
+    Tool tool;
+    const char *letter, *name, *what;
+  } rows[] = {
+      {Action::tool_select, Tool::select, "Q", "tool select", "Select, with nothing to take hold of"},
+      {Action::tool_translate, Tool::translate, "W", "tool translate", "Move what is selected by its arrows"},
+      {Action::tool_rotate, Tool::rotate, "E", "tool rotate", "Turn it by its rings"},
+      {Action::tool_scale, Tool::scale, "R", "tool scale", "Scale it by its boxes"}};
+  for (const auto& row : rows) {
+    const std::string keys = chord(row.action), label = keys.size() == 1 ? keys : row.letter;
+    const std::string what = std::string(row.what) + (keys == "none" ? "." : " (" + keys + ").");
+    if (toggle((label + "##" + row.name).c_str(), studio.tools.tool == row.tool, what.c_str()))
+      act(studio, row.action);
+    note_item(studio, row.name);
+    ImGui::SameLine(0.0f, scaled(2));
+  }
+  const bool moves = studio.tools.tool == Tool::translate || studio.tools.tool == Tool::rotate;
+  if (moves) {
+    const std::string what = "Along the world's axes, or its own (" + chord(Action::axis_space) + ").";
+    const bool local = studio.tools.space() == AxisSpace::local;
+    if (toggle(local ? "own axes" : "world axes", false, what.c_str())) act(studio, Action::axis_space);
+    note_item(studio, "axes of the tool");
+    ImGui::SameLine();
+  }
+  ImGui::SameLine(0.0f, scaled(14));
 }
 
 }  // namespace
@@ -100,6 +131,7 @@ void show_view_strip(Studio& studio, const PaneRect& pane) {
     studio.trace.item(name, vec2(ImGui::GetItemRectMin().x, ImGui::GetItemRectMin().y),
                       vec2(ImGui::GetItemRectSize().x, ImGui::GetItemRectSize().y));
   };
+  show_tools(studio);
   if (toggle("fast", quality == "fast", "The quality set fast (1).")) act(studio, Action::quality_fast);
   trace("fast");
   ImGui::SameLine(0.0f, scaled(2));

@@ -123,7 +123,9 @@ void ViewportPanel::show(Studio& studio, Drawings& drawings, const PaneRect& pan
   if (texture_.name() != 0) {
     const ViewPicture& picture = *texture_.shown()->picture;
     overlay_.show(studio, picture, shown.begin, shown.size);
-    overlay_.select(studio, drawings, picture, shown.begin, shown.size, hovered && !comparison_.is_held());
+    handles_.show(studio, picture, shown.begin, shown.size, hovered && !comparison_.is_held());
+    overlay_.select(studio, drawings, picture, shown.begin, shown.size,
+                    hovered && !comparison_.is_held() && !handles_.is_taken());
   }
   probe_.choose(studio, picture_, hovered && !comparison_.is_held());
   hand_.move(studio, picture_, hovered && !comparison_.is_held());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "host/window/drawing/drawings.h"
+#include "host/window/handles/viewport_handles.h"
 #include "host/window/overlay/overlay.h"
 #include "host/window/panels/comparison_overlay.h"
 #include "host/window/panels/layout.h"
@@ -27,6 +28,7 @@ class ViewportPanel {
   SnapshotStrip snapshots_;
   ViewportHand hand_;
   Overlay overlay_;
+  ViewportHandles handles_;
   ProbePanel probe_;
   ViewPicturePtr asked_picture_;
   std::string asked_development_;

@@ -1,0 +1,18 @@
+// Taking back a drag that is still going on.
+#pragma once
+
+#include <cstdint>
+
+#include "host/window/studio.h"
+
+namespace plinian::window {
+
+/// Undoes what a drag did, if it did anything. steps: that the history had made before it. While a drag goes
+/// on nothing else is edited, so that its step is the last one.
+inline void take_back(Studio& studio, std::uint64_t steps) {
+  studio.commands.later([&studio, steps] {
+    if (studio.session().history().steps_made() != steps) studio.commands.run_now("undo");
+  });
+}
+
+}  // namespace plinian::window
