@@ -223,12 +223,13 @@ std::optional<vec2> grip_of(const std::vector<PartShape>& shapes, const PartShap
     candidates.push_back(middle);
   }
   std::optional<vec2> best;
-  float clearest = 0.0f;
+  float clearest = -1.0f;
   for (const vec2& candidate : candidates) {
     if (part_at(shapes, candidate, reach) != shape.part) continue;
     float clear = 1e6f;
     for (const PartShape& other : shapes)
-      if (other.part != shape.part) clear = std::min(clear, distance_to(other, candidate));
+      if (other.part != shape.part && other.can_be_taken)
+        clear = std::min(clear, distance_to(other, candidate));
     if (clear <= clearest) continue;
     clearest = clear;
     best = candidate;

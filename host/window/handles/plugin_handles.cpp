@@ -9,7 +9,7 @@
 #include "core/shared/view_curve.h"
 #include "host/graph/graph_error.h"
 #include "host/scene/placed.h"
-#include "host/window/handles/undo_drag.h"
+#include "host/window/handles/drag_ends.h"
 #include "host/window/panels/overlay_text.h"
 #include "host/window/platform/theme.h"
 
@@ -96,7 +96,7 @@ void PluginHandles::show(Studio& studio, const ViewPicture& picture, vec2 begin,
   if (!hovered_ || !ImGui::IsMouseClicked(0)) return;
   const sdk::PlacedHandle& handle = handles[*hovered_];
   if (!handle.is_free) {
-    studio.console.add(LineKind::error, session.editor().set_problem(handle.plug));
+    refuse(studio, session.editor().set_problem(handle.plug));
     return;
   }
   studio.tools.give_up = false;

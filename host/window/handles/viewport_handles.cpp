@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "core/scene/framing.h"
+#include "host/window/handles/drag_ends.h"
 #include "host/window/handles/handle_painter.h"
-#include "host/window/handles/undo_drag.h"
 #include "host/window/overlay/ground_grid.h"
 #include "host/window/panels/overlay_text.h"
 #include "host/window/platform/theme.h"
@@ -111,7 +111,7 @@ void ViewportHandles::take_hold(Studio& studio, HandleTarget target, const Proje
   std::vector<TargetNode> able;
   for (std::size_t i = 0; i < target.nodes.size(); ++i) {
     const std::string problem = target_problem(studio.session(), target, target.nodes[i], hovered_);
-    if (!problem.empty()) studio.console.add(LineKind::error, problem);
+    if (!problem.empty()) refuse(studio, problem);
     if (!problem.empty() && i == 0) return;
     if (problem.empty()) able.push_back(target.nodes[i]);
   }

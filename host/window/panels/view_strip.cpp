@@ -107,17 +107,17 @@ void show_tools(Studio& studio) {
     if (toggle((label + "##" + row.name).c_str(), studio.tools.tool == row.tool, what.c_str()))
       act(studio, row.action);
     note_item(studio, row.name);
-    ImGui::SameLine(0.0f, scaled(2));
+    ImGui::SameLine(0.0f, scaled(1));
   }
   const bool moves = studio.tools.tool == Tool::translate || studio.tools.tool == Tool::rotate;
   if (moves) {
     const std::string what = "Along the world's axes, or its own (" + chord(Action::axis_space) + ").";
     const bool local = studio.tools.space() == AxisSpace::local;
-    if (toggle(local ? "own axes" : "world axes", false, what.c_str())) act(studio, Action::axis_space);
+    if (toggle(local ? "own" : "world", false, what.c_str())) act(studio, Action::axis_space);
     note_item(studio, "axes of the tool");
     ImGui::SameLine();
   }
-  ImGui::SameLine(0.0f, scaled(14));
+  ImGui::SameLine(0.0f, scaled(12));
 }
 
 }  // namespace

@@ -120,7 +120,12 @@ class RandomHand {
                                             "Shift_L+r",
                                             "Control_L+z",
                                             "Control_L+Shift_L+z",
-                                            "Control_L+d"};
+                                            "Control_L+d",
+                                            "q",
+                                            "w",
+                                            "e",
+                                            "r",
+                                            "o"};
 
   Sitting& sitting_;
   std::mt19937 random_;
