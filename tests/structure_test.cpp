@@ -111,6 +111,20 @@ TEST(Structure, PluginHeadersUseNothingButOneAnother) {
   }
 }
 
+// What handles compute is tried without a window: only what paints them and what hears the mouse knows one.
+TEST(Structure, HandlesAreComputedWithoutTheInterface) {
+  const std::set<std::string> of_the_window = {"handle_painter.cpp", "plugin_handles.cpp",
+                                               "viewport_handles.cpp"};
+  const std::regex interface(R"re(#\s*include\s*(<imgui|"host/window/(panels|platform)/))re");
+  std::size_t files = 0;
+  for (const std::string& path : files_under("host/window/handles", {".h", ".cpp"})) {
+    if (of_the_window.contains(fs::path(path).filename().string())) continue;
+    ++files;
+    EXPECT_FALSE(std::regex_search(text_of(root / path), interface)) << path;
+  }
+  EXPECT_GT(files, 8u);
+}
+
 // Headers that take seconds to compile may be seen by sources, and by headers that their own folder keeps to
 // itself.
 TEST(Structure, HeavyHeadersDoNotLeaveTheFolderThatNeedsThem) {

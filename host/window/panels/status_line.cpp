@@ -52,8 +52,8 @@ void show_status(Studio& studio, const PaneRect& pane) {
     ImGui::PopStyleColor();
   } else {
     ImGui::TextDisabled(
-        "Alt+mouse (or Ctrl+Alt): left tumbles, middle tracks, right or wheel dollies    F frame   "
-        "A all   1 fast   2 high   L+drag turns the key light   F1 hotkeys");
+        "Alt+mouse (or Ctrl+Alt): left tumbles, middle tracks, right or wheel dollies    W E R move, turn, "
+        "scale   F frame   A all   1 fast   2 high   L+drag turns the key light   F1 hotkeys");
   }
   ImGui::PopClipRect();
   end_pane();

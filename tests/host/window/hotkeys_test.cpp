@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
 #include <set>
 
 namespace plinian::window {
@@ -32,6 +34,17 @@ TEST(Hotkeys, EveryActionHasOneNameAndNoKeyDoesTwoThings) {
   }
   EXPECT_EQ(hotkeys.action(*chord_of("Ctrl+Z")), Action::undo);
   EXPECT_EQ(hotkeys.action(*chord_of("Z")), std::nullopt) << "what is held beside a key counts";
+}
+
+TEST(Hotkeys, TheReadmeTellsThemAll) {
+  std::ifstream file(std::string(PLINIAN_SOURCE_DIR) + "/README.md");
+  const std::string readme{std::istreambuf_iterator<char>(file), {}};
+  const std::size_t begin = readme.find("| key | does |"), end = readme.find("\n\n", begin);
+  ASSERT_NE(begin, std::string::npos);
+  const std::string table = readme.substr(begin, end - begin);
+  const Hotkeys hotkeys;
+  for (const Hotkey& hotkey : hotkeys.all())
+    EXPECT_NE(table.find("`" + text_of(hotkey.chord) + "`"), std::string::npos) << hotkey.name;
 }
 
 TEST(Hotkeys, AFileChangesThemAndTellsWhatItCannot) {
