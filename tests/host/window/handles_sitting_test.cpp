@@ -47,6 +47,7 @@ class HandlesSitting : public testing::Test {
     sitting_->wait_for("keys to a field",
                        sitting_->wait_for("ran " + line.substr(0, line.find(' ')), before));
     sitting_->click({700, size.y - 6});  // out of the command line, into the status line
+    sitting_->move({702, size.y - 6});   // the window looks again
     sitting_->wait_for_keys("keys to the window");
   }
   /// The scene as it would be saved.
@@ -220,6 +221,25 @@ TEST_F(HandlesSitting, WhatIsLockedStaysAndSaysWhy) {
   sitting.drag(grip, grip + ivec2(0, -40));
   sitting.wait_for_mouse(grip + ivec2(0, -40), 0);
   EXPECT_EQ(count("setAttr", before), 0) << "nothing to take hold of";
+}
+
+TEST_F(HandlesSitting, AHandleOfAPluginSetsItsAttributeInOneStep) {
+  Sitting& sitting = *sitting_;
+  command("loadPlugin \"" PLINIAN_WINDOW_PLUGINS "/lamp.so\"");
+  command("createNode lampShape -name lamp");
+  command("select lamp");
+  const std::string first = saved();
+  use("w");
+  keep("handles-7-plugin.png");
+  std::size_t before = sitting.now();
+  const ivec2 grip = sitting.middle("handle range");
+  sitting.drag(grip, grip + ivec2(25, -50));
+  sitting.wait_for("setAttr lamp.range", before);
+  // Along its axis, which stands upright in the picture, 6 m away.
+  const double point = 12.0 * std::tan(20.0 * 3.14159265358979 / 180.0) / sitting.item("picture").w;
+  EXPECT_NEAR(number(saved(), "lamp", "range").value_or(0.0), 1.5 + 50.0 * point, 1.5 * point);
+  sitting.stroke("Control_L+z");
+  EXPECT_EQ(saved(), first);
 }
 
 }  // namespace
