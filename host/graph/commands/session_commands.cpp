@@ -1,4 +1,6 @@
-// undo, redo, evaluate, help.
+// undo, redo, evaluate, cache, help.
+#include <cmath>
+
 #include "host/graph/commands/session.h"
 #include "host/graph/graph_error.h"
 
@@ -64,6 +66,20 @@ CommandResult evaluate_plugs(Session& session, const Arguments& arguments) {
   return lines;
 }
 
+CommandResult cache(Session& session, const Arguments& arguments) {
+  constexpr double mebibyte = 1 << 20;
+  const auto in_tenths = [](std::size_t bytes) {
+    return write_number(std::round(10.0 * double(bytes) / mebibyte) / 10.0);
+  };
+  ValueCache& values = session.evaluator().cache();
+  if (const auto limit = arguments.number("limit")) {
+    if (!(*limit >= 0.0 && *limit <= 1e9)) throw GraphError("cache: -limit is from 0 to 1e9 MiB");
+    values.set_budget(std::size_t(*limit * mebibyte));
+  }
+  if (arguments.has("clear")) values.clear();
+  return {in_tenths(values.bytes()) + " of " + in_tenths(values.budget()) + " MiB"};
+}
+
 CommandResult help(Session& session, const Arguments& arguments) {
   if (arguments.has("command")) return help_lines(session.commands().get(arguments.text("command")));
   CommandResult lines;
@@ -94,6 +110,14 @@ void add_session_commands(CommandRegistry& commands) {
                 .parameters = {{"plugs", plug, "node.output, or a node for all of its outputs", false, true}},
                 .flags = {{"check", "computes all anew as well and fails where the two differ", {}}},
                 .run = evaluate_plugs});
+  commands.add(
+      {.name = "cache",
+       .help = "Answers how much memory computed values take that are kept for when they are wanted again, "
+               "and how much they may.",
+       .parameters = {},
+       .flags = {{"clear", "lets go of those that nothing shows; they are computed anew when wanted", {}},
+                 {"limit", "[MiB] that they may take; those not wanted for longest go first", number}},
+       .run = cache});
   commands.add({.name = "help",
                 .help = "Lists the commands, or shows what one takes.",
                 .parameters = {{"command", command, "its name", true}},

@@ -78,4 +78,9 @@ std::size_t ValueCache::bytes() const {
   return bytes_;
 }
 
+std::size_t ValueCache::budget() const {
+  const std::lock_guard lock(mutex_);
+  return budget_;
+}
+
 }  // namespace plinian::graph

@@ -42,6 +42,7 @@ class ValueCache {
 
   void set_budget(std::size_t bytes);
   std::size_t bytes() const;  // held at the moment
+  std::size_t budget() const;
 
  private:
   // What few entries have.

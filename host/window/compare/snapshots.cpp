@@ -34,21 +34,34 @@ Snapshots::Snapshots(scene::Workspace& workspace, std::size_t budget_bytes)
        .parameters = {{"name", graph::ArgumentKind::text, "of the snapshot, such as \"snapshot 1\""}},
        .flags = {},
        .run = [this](graph::Session& session, const graph::Arguments& words) -> graph::CommandResult {
-         const std::string name = words.text("name");
-         const Snapshot* snapshot = find(name);
-         if (!snapshot) {
-           std::vector<std::string> names;
-           for (const Snapshot& one : all_) names.push_back(one.name);
-           throw graph::GraphError("restoreSnapshot: no snapshot is called '" + name + "'" +
-                                   (names.empty() ? "; there is none" : "; there are: " + join(names)));
-         }
-         restore(session, *snapshot);
+         restore(session, get("restoreSnapshot", words.text("name")));
+         return {};
+       }});
+  workspace_.session().commands().add(
+      {.name = "deleteSnapshot",
+       .help = "Lets go of a snapshot's picture and scene, for good.",
+       .parameters = {{"name", graph::ArgumentKind::text, "of the snapshot; without it: of all", true}},
+       .flags = {},
+       .run = [this](graph::Session&, const graph::Arguments& words) -> graph::CommandResult {
+         if (words.has("name"))
+           forget(get("deleteSnapshot", words.text("name")).name);
+         else
+           all_.clear();
          return {};
        }});
 }
 
 Snapshots::~Snapshots() {
   workspace_.session().commands().remove("restoreSnapshot");
+  workspace_.session().commands().remove("deleteSnapshot");
+}
+
+const Snapshot& Snapshots::get(const std::string& command, const std::string& name) const {
+  if (const Snapshot* snapshot = find(name)) return *snapshot;
+  std::vector<std::string> names;
+  for (const Snapshot& one : all_) names.push_back(one.name);
+  throw graph::GraphError(command + ": no snapshot is called '" + name + "'" +
+                          (names.empty() ? "; there is none" : "; there are: " + join(names)));
 }
 
 std::vector<std::string> Snapshots::keep(const ViewPicturePtr& picture, const DevelopedPtr& shown,
@@ -80,7 +93,8 @@ const Snapshot* Snapshots::find(const std::string& name) const {
 }
 
 void Snapshots::forget(const std::string& name) {
-  std::erase_if(all_, [&](const Snapshot& s) { return s.name == name; });
+  const std::string given = name;  // it may be that of what goes
+  std::erase_if(all_, [&](const Snapshot& s) { return s.name == given; });
 }
 
 std::size_t Snapshots::bytes() const {

@@ -22,7 +22,7 @@ struct Snapshot {
 
 class Snapshots {
  public:
-  /// Adds the command restoreSnapshot to the session, for as long as this lives.
+  /// Adds the commands restoreSnapshot and deleteSnapshot to the session, for as long as this lives.
   explicit Snapshots(scene::Workspace& workspace, std::size_t budget_bytes = std::size_t(512) << 20);
   ~Snapshots();
   Snapshots(const Snapshots&) = delete;
@@ -38,6 +38,9 @@ class Snapshots {
   std::size_t bytes() const;  // of the pictures
 
  private:
+  /// Throws GraphError, with the name of the command, where there is none.
+  const Snapshot& get(const std::string& command, const std::string& name) const;
+
   scene::Workspace& workspace_;
   std::size_t budget_;
   std::deque<Snapshot> all_;  // oldest first

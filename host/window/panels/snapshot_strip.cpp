@@ -89,7 +89,7 @@ void SnapshotStrip::show(Studio& studio, const PaneRect& pane) {
   ImGui::PopStyleVar(3);
   if (!forget.empty()) {
     if (studio.comparison.name == forget) studio.comparison.keep(nullptr, "", OtherKind::none);
-    studio.snapshots.forget(forget);
+    studio.run("deleteSnapshot " + graph::quote(forget));
   }
 }
 

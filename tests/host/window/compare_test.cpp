@@ -181,6 +181,19 @@ TEST(Snapshots, RestoreTheSceneInOneStepOfUndo) {
   EXPECT_THROW(w.run("restoreSnapshot other"), std::runtime_error);
 }
 
+TEST(Snapshots, GoByName) {
+  scene::TestWorkspace w;
+  Snapshots snapshots(w);
+  for (int i = 0; i < 3; ++i) snapshots.keep(picture_of(4), nullptr);
+  w.run("deleteSnapshot \"snapshot 2\"");
+  EXPECT_EQ(snapshots.find("snapshot 2"), nullptr);
+  EXPECT_EQ(snapshots.all().size(), 2u);
+  EXPECT_THROW(w.run("deleteSnapshot \"snapshot 2\""), std::runtime_error);
+  w.run("deleteSnapshot");
+  EXPECT_TRUE(snapshots.all().empty());
+  EXPECT_EQ(snapshots.bytes(), 0u);
+}
+
 TEST(Snapshots, HoldNoMoreMemoryThanTheyMay) {
   scene::TestWorkspace w;
   const std::size_t one = bytes_of(picture_of(32)->frame);

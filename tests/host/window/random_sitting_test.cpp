@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <random>
 #include <sstream>
+#include <thread>
 
 #include "tests/host/cli/program.h"
 #include "tests/host/window/sitting.h"
@@ -17,10 +18,40 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr ivec2 screen(1000, 700);
+constexpr double worth_telling_ms = 100.0;
+
+// The word of a line of the trace that says how long the interface was not looked at. [ms]
+constexpr char stall_word[] = " stall ";
+
+double stall_of(const std::string& line) {
+  const std::size_t at = line.find(stall_word);
+  return at == line.npos ? 0.0 : std::atof(&line[at + sizeof(stall_word) - 1]);
+}
 
 class RandomHand {
  public:
   RandomHand(Sitting& sitting, unsigned seed) : sitting_(sitting), random_(seed) {}
+
+  /// Lets go of the scene and of everything that is only kept for being wanted again; returns what is left.
+  /// [MiB]
+  double memory_of_an_empty_scene() {
+    for (int attempt = 0; attempt < 10; ++attempt) {
+      const std::size_t then = sitting_.now();
+      sitting_.stroke("Escape");  // a dialog, or what is typed
+      for (const char* line : {"deleteSnapshot", "newScene -force", "cache -clear"}) run(line);
+      const Clock::time_point asked = Clock::now();
+      while (Clock::now() - asked < std::chrono::seconds(10)) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        const std::vector<std::string>& lines = sitting_.lines();
+        const auto ran =
+            std::find_if(lines.begin() + std::ptrdiff_t(then), lines.end(),
+                         [](const auto& line) { return line.find("ran cache -clear") != line.npos; });
+        if (ran == lines.end() || lines.back().find("still") == lines.back().npos) continue;
+        return sitting_.memory();
+      }
+    }
+    throw std::runtime_error("the scene could not be emptied");
+  }
 
   void act() {
     switch (below(10)) {
@@ -85,9 +116,13 @@ class RandomHand {
                                             "save kept.plinian",
                                             "open -force kept.plinian",
                                             "no such command"};
+    run(lines[below(int(std::size(lines)))]);
+  }
+
+  void run(const char* line) {
     sitting_.stroke("Escape");
     sitting_.stroke("Return");
-    sitting_.type(lines[below(int(std::size(lines)))]);
+    sitting_.type(line);
     sitting_.stroke("Return");
   }
 
@@ -141,17 +176,20 @@ TEST(RandomSitting, NothingThatAHandDoesEndsTheProgram) {
   RandomHand hand(sitting, seed);
   const Clock::time_point begin = Clock::now();
   const auto since = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
-  double next_report = 60.0;
+  double next_look = 60.0;
+  std::vector<double> levels;  // of memory, at the end of each minute [MiB]
   int actions = 0;
   while (since() < seconds) {
     hand.act();
     ++actions;
     ASSERT_TRUE(sitting.is_running()) << "after " << actions << " actions of seed " << seed << "\n"
                                       << sitting.errors();
-    if (since() > next_report) {
-      std::printf("%.0f s: %.0f MiB\n", since(), sitting.memory());
-      next_report += 60.0;
-    }
+    if (since() < next_look) continue;
+    const double full = sitting.memory();
+    levels.push_back(hand.memory_of_an_empty_scene());
+    std::printf("%.0f s: %.0f MiB, %.0f of them without a scene\n", next_look, full, levels.back());
+    std::fflush(stdout);
+    next_look += 60.0;
   }
   for (const char* key : {"Alt_L", "Control_L", "Shift_L", "l"}) sitting.key_up(key);
   // It still answers.
@@ -161,14 +199,23 @@ TEST(RandomSitting, NothingThatAHandDoesEndsTheProgram) {
   sitting.wait_for(" mouse ", then);
   std::vector<double> stalls;
   int pictures = 0;
-  for (const std::string& line : sitting.lines()) {
-    if (const std::size_t at = line.find(" stall "); at != line.npos)
-      stalls.push_back(std::atof(&line[at + 7]));
-    pictures += line.find(" picture ") != line.npos;
+  const std::vector<std::string>& lines = sitting.lines();
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    pictures += lines[i].find(" picture ") != std::string::npos;
+    const double ms = stall_of(lines[i]);
+    if (ms == 0.0) continue;
+    stalls.push_back(ms);
+    if (ms < worth_telling_ms) continue;
+    std::printf("a stall:\n");
+    for (std::size_t j = i < 6 ? 0 : i - 6; j < std::min(i + 2, lines.size()); ++j)
+      std::printf("  %s\n", lines[j].c_str());
   }
   std::sort(stalls.begin(), stalls.end());
   std::printf("seed %u: %d actions, %d pictures, %zu stalls over 50 ms, the longest %.0f ms, %.0f MiB\n",
               seed, actions, pictures, stalls.size(), stalls.empty() ? 0.0 : stalls.back(), sitting.memory());
+  if (levels.size() > 1) {
+    EXPECT_LT(levels.back(), levels.front() * 1.05) << "memory leaks";
+  }
   EXPECT_GT(pictures, 2);
   EXPECT_EQ(sitting.errors().find("GL error"), std::string::npos) << sitting.errors();
   sitting.send(SIGTERM);

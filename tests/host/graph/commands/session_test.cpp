@@ -36,6 +36,16 @@ TEST(Session, ClampsAndSaysSo) {
                             "e.count is out of its range (an integer from 0 to 100) and was set to 100"});
 }
 
+TEST(Session, SaysWhatComputedValuesTakeAndLetsGoOfThem) {
+  TestSession s;
+  EXPECT_EQ(s.run("cache -limit 64"), "0 of 64 MiB");
+  s.run("createNode volumeNoise -name n\nsetAttr n.resolution 32\nevaluate n");
+  EXPECT_NE(s.run("cache").find(" of 64 MiB"), std::string::npos);
+  EXPECT_NE(s.run("cache"), "0 of 64 MiB");
+  EXPECT_EQ(s.run("cache -clear"), "0 of 64 MiB");
+  EXPECT_NE(s.refusal("cache -limit -1").find("from 0"), std::string::npos);
+}
+
 TEST(Session, FindsSelectsAndListsNodes) {
   TestSession s;
   s.run("createNode sum -name ash1\ncreateNode sum -name ash2\ncreateNode group -name ground");
