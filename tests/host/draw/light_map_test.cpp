@@ -187,11 +187,14 @@ TEST(LightMap, ACopyOnAContextThatSharesNothingTellsTheSame) {
   GaugeScene s;
   s.renderer->render(s.scene, 1);
   // The same picture by a renderer with a context of its own, whose maps go through memory.
-  const std::unique_ptr<Renderer> other = make_gl_renderer();
-  EXPECT_EQ(copy_light_maps(*other, nullptr), nullptr) << "no picture yet";
-  other->render(s.scene, 1);
-  const LightMapCopyPtr copy = copy_light_maps(*other, nullptr);
-  ASSERT_TRUE(copy);
+  LightMapCopyPtr copy;
+  {
+    const std::unique_ptr<Renderer> other = make_gl_renderer();
+    EXPECT_EQ(copy_light_maps(*other, nullptr), nullptr) << "no picture yet";
+    other->render(s.scene, 1);
+    copy = copy_light_maps(*other, nullptr);
+  }
+  ASSERT_TRUE(copy) << "and outlives the renderer that made it";
   s.context.make_current();
   LightMapUpload upload;
   EXPECT_GT(upload_all(upload, copy, std::chrono::microseconds(1)), 1) << "in slices";
