@@ -12,7 +12,7 @@
 #include "core/scene/scene_loader.h"
 #include "host/cli/command.h"
 #include "host/cli/console.h"
-#include "host/cli/progress.h"
+#include "host/cli/interruption.h"
 #include "host/graph/commands/session.h"
 #include "host/sdk/inside_plugin.h"
 #include "host/window/window.h"

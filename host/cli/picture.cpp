@@ -11,6 +11,7 @@
 #include "core/scene/quality_parameters.h"
 #include "core/scene/scene_hash.h"
 #include "host/cli/console.h"
+#include "host/cli/interruption.h"
 #include "host/cli/progress.h"
 #include "host/graph/values/hash.h"
 

@@ -16,6 +16,7 @@
 #include "core/scene/scene_loader.h"
 #include "core/scene/scene_parameters.h"
 #include "host/cli/console.h"
+#include "host/cli/interruption.h"
 #include "host/cli/progress.h"
 #include "host/graph/graph_error.h"
 #include "host/graph/model/conversion.h"

@@ -1,27 +1,18 @@
-// Progress and interruption.
+// Progress on a terminal.
 #include "host/cli/progress.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
-#include <csignal>
 #include <cstdio>
 
 #include "host/cli/console.h"
+#include "host/cli/interruption.h"
 
 namespace plinian::cli {
 
 namespace {
-
-std::atomic<bool> raised{false};
-static_assert(std::atomic<bool>::is_always_lock_free);  // may be set by a signal handler
-
-void on_interrupt(int signal) {
-  raised = true;
-  std::signal(signal, SIG_DFL);
-}
 
 std::string time_text(double seconds) {
   const int whole = int(seconds + 0.5);
@@ -31,19 +22,6 @@ std::string time_text(double seconds) {
 }
 
 }  // namespace
-
-void catch_interrupts() {
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
-}
-
-bool interrupted() {
-  return raised;
-}
-
-const std::atomic<bool>& interrupt_flag() {
-  return raised;
-}
 
 ProgressBar::ProgressBar(std::string label)
     : label_(std::move(label)), visible_(isatty(STDERR_FILENO) && !is_quiet()), start_(Clock::now()) {}

@@ -1,16 +1,10 @@
-// A plain progress bar on a terminal, and Ctrl-C.
+// A plain progress bar on a terminal.
 #pragma once
 
-#include <atomic>
 #include <chrono>
 #include <string>
 
 namespace plinian::cli {
-
-/// From now on Ctrl-C and a polite kill raise a flag; a second one ends the program as usual.
-void catch_interrupts();
-bool interrupted();
-const std::atomic<bool>& interrupt_flag();
 
 /// Draws one line on standard error where that is a terminal and notes are not silenced; else nothing.
 /// Leaves an empty line behind when it goes.

@@ -13,7 +13,6 @@
 #include "host/cli/command.h"
 #include "host/cli/console.h"
 #include "host/cli/picture.h"
-#include "host/cli/progress.h"
 
 namespace plinian::cli {
 

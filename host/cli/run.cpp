@@ -11,6 +11,7 @@
 
 #include "host/cli/command.h"
 #include "host/cli/console.h"
+#include "host/cli/interruption.h"
 #include "host/cli/progress.h"
 #include "host/cli/render_command.h"
 #include "host/graph/files/scene_reader.h"

@@ -15,7 +15,7 @@
 #include "core/scene/framing.h"
 #include "core/scene/preset.h"
 #include "host/cli/console.h"
-#include "host/cli/progress.h"
+#include "host/cli/interruption.h"
 #include "host/cli/renderers.h"
 
 namespace plinian::cli {

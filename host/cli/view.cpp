@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "host/cli/command.h"
-#include "host/cli/progress.h"
+#include "host/cli/interruption.h"
 #include "host/cli/scene_arguments.h"
 #include "host/window/window.h"
 

@@ -20,6 +20,26 @@ TEST_F(Program, CtrlCAndAPoliteKillReachAComputationThatAScriptWaitsFor) {
   }
 }
 
+TEST_F(Program, APoliteKillLeavesAPluginThatDoesNotListenAndNamesIt) {
+  folder_.write("s.pln",
+                "loadPlugin patient\ncreateNode patient\nsetAttr patient1.deaf on\nevaluate patient1.out\n");
+  RunOptions options;
+  options.environment = {{"PLINIAN_PLUGIN_PATH", PLINIAN_TEST_PLUGINS}};
+  options.signal = SIGTERM;
+  options.signal_after_text = "patient1";
+  options.signal_after_s = 0.3;
+  const auto start = std::chrono::steady_clock::now();
+  const Ended ended = run({"run", "s.pln"}, options);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30)) << "of 60 that it would take";
+  EXPECT_EQ(ended.code, 130);
+  EXPECT_EQ(
+      ended.err,
+      "plinian: still at work in the plug-in 'patient' while computing patient1.out, which ends with the "
+      "program in a few seconds\n"
+      "plinian: error: ended at work in the plug-in 'patient' while computing patient1.out, which does not "
+      "ask whether it is cancelled\n");
+}
+
 TEST_F(Program, AScriptMakesThePictureThatAProceduralMediumAloneMakes) {
   folder_.write("s.pln",
                 "import -setup explosion\nsetAttr medium_noise.resolution 24\n"
