@@ -1,8 +1,10 @@
 // plinian view: the window.
 #include <CLI/CLI.hpp>
+#include <cstdlib>
 #include <memory>
 
 #include "host/cli/command.h"
+#include "host/cli/console.h"
 #include "host/cli/interruption.h"
 #include "host/cli/scene_arguments.h"
 #include "host/window/window.h"
@@ -50,6 +52,10 @@ Run set_up_view(CLI::App& app) {
     options.autosave_seconds = arguments->autosave_seconds;
     options.trace = arguments->trace;
     options.interrupted = &interrupt_flag();
+    options.on_no_end = [](const std::string& line) {
+      error(line);
+      std::_Exit(exit_failure);
+    };
     window::run_window(options);
     return interrupted() ? exit_cancelled : exit_success;
   };

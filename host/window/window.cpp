@@ -1,6 +1,8 @@
 // Puts window, studio and interface together.
 #include "host/window/window.h"
 
+#include <chrono>
+
 #include "host/window/interface.h"
 
 namespace plinian::window {
@@ -8,6 +10,22 @@ namespace plinian::window {
 bool can_open_window() {
   return has_display();
 }
+
+namespace {
+
+constexpr auto patience =
+    std::chrono::seconds(5);  // with a computation that does not ask whether it is cancelled
+
+// Ends what workers compute.
+void end_work(graph::Session& session, const std::function<void(const std::string&)>& on_no_end) {
+  session.evaluator().cancel_all();
+  if (session.evaluator().finish_within(patience) || !on_no_end) return;
+  const graph::Node* node = session.evaluator().at_work();
+  on_no_end((node ? node->name + " (" + node->type->name() + ")" : "a computation") +
+            " goes on although the window is closed: it does not ask whether it is cancelled");
+}
+
+}  // namespace
 
 void run_window(const WindowOptions& options) {
   MainWindow window("Plinian", options.size);
@@ -22,6 +40,9 @@ void run_window(const WindowOptions& options) {
       break;
     }
   }
+  if (studio.quit) studio.files.forget_unsaved();
+  window.hide();
+  end_work(studio.session(), options.on_no_end);
 }
 
 }  // namespace plinian::window

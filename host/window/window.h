@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <string>
 
 #include "core/shared/glue.h"
@@ -15,6 +16,9 @@ struct WindowOptions {
   const std::atomic<bool>* interrupted =
       nullptr;        // raised: the window ends and keeps what is not saved aside
   std::string trace;  // file to note in what happens, see Trace; empty: none
+  /// Hears, once the window is closed, of a computation that goes on although it was asked to stop, in one
+  /// line. The window waits for it for as long as it takes where this returns.
+  std::function<void(const std::string& line)> on_no_end;
 };
 
 /// Opens the window and returns when it is closed. Throws NoDisplay (main_window.h) where there is none.

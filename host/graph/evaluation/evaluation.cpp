@@ -331,6 +331,7 @@ ResultPtr Evaluation::compute(const Node& node, const Plug& output, Hash key, bo
       alone = std::unique_lock(*services_.one_at_a_time);
     ++counters_.computes;
     ++computes_[node.type.get()];
+    if (services_.at_work) *services_.at_work = node.id;
     try {
       node.type->spec().compute(context, output.attribute);
       if (!context.wrote(output.attribute))

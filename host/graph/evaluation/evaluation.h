@@ -33,6 +33,7 @@ struct EvaluationServices {
   ValueCache* cache = nullptr;                    // null: none
   std::recursive_mutex* one_at_a_time = nullptr;  // held by types that may not run concurrently
   const std::atomic<bool>* cancelled = nullptr;
+  std::atomic<NodeId>* at_work = nullptr;  // told which node's computation runs; none: {}
   std::function<void(const Plug&, double fraction, std::string_view what)> progress;
   std::string folder;  // that relative paths are relative to, as compute functions read them
   /// A result that is known beforehand, or null.

@@ -4,6 +4,7 @@
 // types; values are pulled when somebody asks. Everything here is called on the thread that edits the graph.
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <set>
@@ -61,6 +62,10 @@ class Evaluator : private GraphObserver {
   std::size_t poll();
   /// Polls until no request is in flight.
   void finish();
+  /// The same, for so long at most: false where it was not enough.
+  bool finish_within(std::chrono::milliseconds limit);
+  /// The node that a request in flight computed last, for one that does not end; null: none.
+  const Node* at_work() const;
 
   struct Progress {
     Plug plug;
@@ -119,6 +124,7 @@ class Evaluator : private GraphObserver {
     std::unordered_map<Plug, ResultPtr> known;  // clean outputs at its edge
     std::set<Plug> covered;                     // dirty outputs that it may compute
     std::atomic<bool> cancelled{false};
+    std::atomic<NodeId> at_work{};
     mutable std::mutex progress_mutex;
     Progress progress;
     // Filled in by the worker.

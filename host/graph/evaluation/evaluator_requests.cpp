@@ -77,6 +77,7 @@ void Evaluator::work() {
     }
     EvaluationServices services = this->services();
     services.cancelled = &request->cancelled;
+    services.at_work = &request->at_work;
     services.known = [&](const Plug& plug) -> ResultPtr {
       const auto found = request->known.find(plug);
       return found == request->known.end() ? nullptr : found->second;
@@ -142,6 +143,24 @@ void Evaluator::finish() {
     }
     poll();
   }
+}
+
+bool Evaluator::finish_within(std::chrono::milliseconds limit) {
+  const auto end = std::chrono::steady_clock::now() + limit;
+  while (!in_flight_.empty()) {
+    {
+      std::unique_lock lock(mutex_);
+      if (!finished_.wait_until(lock, end, [this] { return !done_.empty(); })) return false;
+    }
+    poll();
+  }
+  return true;
+}
+
+const Node* Evaluator::at_work() const {
+  for (const RequestPtr& request : in_flight_)
+    if (const Node* node = graph_.find(request->at_work)) return node;
+  return nullptr;
 }
 
 std::vector<Evaluator::Progress> Evaluator::progress() const {

@@ -42,6 +42,8 @@ class SceneFiles {
   void autosave_if_due(bool hand_on);
   /// Keeps unsaved changes aside for the next start: the program is told to end.
   void leave_unsaved();
+  /// What is not saved is not wanted.
+  void forget_unsaved() { autosave_.forget(); }
   void recover(const Autosave::Left& left);
 
   /// Frames everything, once what was added is there; set by the studio.

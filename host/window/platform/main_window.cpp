@@ -209,6 +209,11 @@ void MainWindow::end_frame(vec3 background) {
   }
 }
 
+void MainWindow::hide() {
+  glfwHideWindow(static_cast<GLFWwindow*>(window_));
+  glfwPollEvents();
+}
+
 void MainWindow::set_title(const std::string& title) {
   glfwSetWindowTitle(static_cast<GLFWwindow*>(window_), title.c_str());
 }

@@ -44,6 +44,8 @@ class MainWindow {
   void end_frame(vec3 background);
 
   void set_title(const std::string& title);
+  /// Off the screen, before it goes.
+  void hide();
   /// The user asked to close it; taken back by asking.
   bool take_close_request();
   /// Files that were dropped on it since the last call, with where. [points]

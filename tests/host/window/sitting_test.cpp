@@ -312,6 +312,29 @@ TEST_F(WindowSitting, AsksAboutUnsavedChanges) {
   EXPECT_EQ(text_of(sitting.folder() / "kept.plinian").find("node camera"), std::string::npos);
 }
 
+TEST_F(WindowSitting, IsClosedAlthoughAPluginGoesOn) {
+  Sitting sitting({"sphere", "--autosave", "0.2"});
+  wait_for_rest(sitting, 0);
+  command(sitting, "loadPlugin \"" PLINIAN_PATIENT_PLUGIN "\"");
+  command(sitting, "createNode patient");
+  command(sitting, "setAttr patient1.deaf on");
+  const std::size_t before = sitting.now();
+  command(sitting, "connectAttr patient1.out medium.density_scale");
+  sitting.wait_for("autosaved", before);
+  // The plug-in computes for a minute, and the window is still there to be worked with.
+  command(sitting, "createNode transform");
+  const std::size_t since = sitting.now();
+  sitting.ask_to_close();
+  sitting.wait_for(" question", since);
+  sitting.click(sitting.middle("unsaved discard"));
+  EXPECT_EQ(sitting.exit_code(), 1);
+  EXPECT_EQ(sitting.errors(),
+            "plinian: error: patient1 (patient) goes on although the window is closed: it does not ask "
+            "whether it is "
+            "cancelled\n");
+  EXPECT_TRUE(fs::is_empty(sitting.folder() / "state" / "plinian" / "unsaved"));
+}
+
 TEST_F(WindowSitting, OffersAfterACrashWhatWasNotSaved) {
   const std::vector<std::string> arguments = {"--empty", "--autosave", "0.2"};
   Sitting sitting(arguments);
