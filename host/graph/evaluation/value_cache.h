@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "host/graph/evaluation/flat_map.h"
+#include "host/graph/values/flat_map.h"
 #include "host/graph/evaluation/result.h"
 
 namespace plinian::graph {

@@ -8,12 +8,12 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <unordered_map>
 
 #include "host/graph/files/node_reader.h"
 #include "host/graph/files/scene_sections.h"
 #include "host/graph/files/scene_writer.h"
 #include "host/graph/graph_error.h"
+#include "host/graph/values/flat_map.h"
 
 namespace plinian::graph {
 
@@ -37,7 +37,6 @@ class SceneReader {
     greet(scene);
     prepare_types(scene);
     report_.nodes.reserve(scene.nodes.size());
-    by_name_.reserve(scene.nodes.size());
     for (const NodeSection& section : scene.nodes) add_node(section, scene.is_newer());
     for (const Waiting& node : waiting_) finish(node);
     count_unknown();
@@ -110,7 +109,7 @@ class SceneReader {
     if (by_name_.contains(section.name)) fail(section.line, "the node '" + section.name + "' is there twice");
     const NodeReader& reader = reader_of(section, newer);
     if (const auto own = own_.find(reader.type().get()); own != own_.end()) {
-      by_name_.emplace(section.name, own->second);
+      by_name_[section.name] = own->second;
       report_.shared.push_back(own->second);
       return;
     }
@@ -124,7 +123,7 @@ class SceneReader {
     Node node = std::move(text.node);
     node.name = prefix_ + section.name;
     const NodeId id = editor_.add_node(std::move(node));
-    by_name_.emplace(section.name, id);
+    by_name_[section.name] = id;
     report_.nodes.push_back(id);
     Waiting waiting{&section, id, std::move(text.links)};
     // Most refer to nodes before them: at once, while the node is at hand, costs less than a second round.
@@ -157,8 +156,8 @@ class SceneReader {
   };
 
   NodeId node_of(std::string_view name) const {
-    const auto found = by_name_.find(name);
-    return found == by_name_.end() ? NodeId() : found->second;
+    const NodeId* found = by_name_.find(name);
+    return found ? *found : NodeId();
   }
 
   bool are_known(const Waiting& node) const {
@@ -179,10 +178,10 @@ class SceneReader {
 
   void place(const NodeSection& section, NodeId id) {
     if (section.parent.empty()) return;
-    const auto parent = by_name_.find(section.parent);
-    if (parent == by_name_.end()) fail(section.line, "there is no node " + shown(section.parent));
+    const NodeId parent = node_of(section.parent);
+    if (!parent) fail(section.line, "there is no node " + shown(section.parent));
     try {
-      editor_.set_parent({id}, parent->second);
+      editor_.set_parent({id}, parent);
     } catch (const GraphError& error) {
       fail(section.line, error.what());
     }
@@ -212,7 +211,7 @@ class SceneReader {
   SceneReport report_;
   std::map<std::string, NodeReader> readers_;
   std::map<std::string, const TypeSection*> spelled_out_;
-  std::unordered_map<std::string_view, NodeId> by_name_;
+  FlatMap<std::string_view, NodeId> by_name_;
   std::vector<Waiting> waiting_;
   std::size_t hidden_warnings_ = 0;
 };

@@ -23,8 +23,8 @@ std::string_view component_letters(AttributeType type) {
 Graph::Graph() : outgoing_(1), children_(1) {}
 
 const Node* Graph::find(std::string_view name) const {
-  const auto found = by_name_.find(std::string(name));
-  return found == by_name_.end() ? nullptr : find(found->second);
+  const NodeId* found = by_name_.find(name);
+  return found ? find(*found) : nullptr;
 }
 
 const Node& Graph::get(std::string_view name) const {

@@ -15,6 +15,7 @@
 #include "host/graph/edits/edit.h"
 #include "host/graph/model/node.h"
 #include "host/graph/model/node_pages.h"
+#include "host/graph/values/flat_map.h"
 #include "host/graph/values/value_text.h"
 
 namespace plinian::graph {
@@ -117,7 +118,7 @@ class Graph {
   NodePages nodes_;                            // number 0 is nobody's
   std::deque<std::set<Connection>> outgoing_;  // by number
   std::deque<std::set<NodeId>> children_;      // by number; of 0: the top of the hierarchy
-  std::unordered_map<std::string, NodeId> by_name_;
+  FlatMap<std::string, NodeId> by_name_;
   mutable std::unordered_map<std::string, int>
       next_number_;  // numbers below are taken, by name without number
   std::vector<NodeId> selection_;

@@ -60,7 +60,7 @@ Edit Graph::apply_one(const AddNode& edit) {
   }
   assert(!nodes_.find(node->id) && !by_name_.contains(node->name) && node->inputs.empty());
   nodes_.place(node->id, epoch_) = node;
-  by_name_.emplace(node->name, node->id);
+  by_name_[node->name] = node->id;
   if (node->type->spec().hierarchical) children_[node->parent.value].insert(node->id);
   return RemoveNode{node->id};
 }
@@ -97,7 +97,7 @@ Edit Graph::apply_one(const RenameNode& edit) {
   const auto taken = next_number_.find(base);
   if (taken != next_number_.end() && number > 0) taken->second = std::min(taken->second, number);
   by_name_.erase(node.name);
-  by_name_.emplace(edit.name, edit.node);
+  by_name_[edit.name] = edit.node;
   node.name = edit.name;
   return inverse;
 }

@@ -1,4 +1,4 @@
-#include "host/graph/evaluation/flat_map.h"
+#include "host/graph/values/flat_map.h"
 
 #include <gtest/gtest.h>
 
@@ -83,6 +83,17 @@ TEST(FlatMap, AgreesWithTheStandardsTableWhateverComesAndGoes) {
 
 TEST(FlatMap, DoesSoEvenWhereAlmostAllKeysMeet) {
   agrees_with_the_standard<Bad>(200);
+}
+
+TEST(FlatMap, FindsKeysThatAreStringsByAnyText) {
+  FlatMap<std::string, int> map;
+  for (int i = 0; i < 1000; ++i) map["a rather long name " + std::to_string(i)] = i;
+  const std::string_view all = "a rather long name 17 and more";
+  EXPECT_EQ(*map.find(all.substr(0, 21)), 17);
+  EXPECT_EQ(*map.find("a rather long name 999"), 999);
+  EXPECT_FALSE(map.contains(all));
+  map.erase("a rather long name 17");
+  EXPECT_EQ(map.find(all.substr(0, 21)), nullptr);
 }
 
 TEST(FlatMap, KeepsTheOrderInWhichEntriesCame) {

@@ -7,6 +7,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -22,23 +26,32 @@ class FlatMap {
   auto begin() const { return entries_.begin(); }
   auto end() const { return entries_.end(); }
 
-  /// The value of a key, or null.
-  const Value* find(const Key& key) const {
+  /// The value of a key, or null. Of keys that are strings any text can be looked for.
+  template <class Wanted = Key>
+  const Value* find(const Wanted& key) const {
     if (entries_.empty()) return nullptr;
     const std::uint32_t number = places_[place_of(key, hash_of(key))];
     return number == 0 ? nullptr : &entries_[number_of(number)].second;
   }
-  Value* find(const Key& key) { return const_cast<Value*>(std::as_const(*this).find(key)); }
+  template <class Wanted = Key>
+  Value* find(const Wanted& key) {
+    return const_cast<Value*>(std::as_const(*this).find(key));
+  }
   /// Of a key that is there.
   const Value& at(const Key& key) const { return *find(key); }
-  bool contains(const Key& key) const { return find(key) != nullptr; }
+  template <class Wanted = Key>
+  bool contains(const Wanted& key) const {
+    return find(key) != nullptr;
+  }
 
-  /// The value of a key, an empty one where there was none; whether there was none.
+  /// The value of a key, an empty one where there was none; whether there was none. Throws std::length_error
+  /// for the 2^25th.
   std::pair<Value*, bool> emplace(const Key& key) {
     if ((entries_.size() + 1) * 3 > places_.size() * 2) grow();
     const std::uint64_t hash = hash_of(key);
     const std::size_t place = place_of(key, hash);
     if (places_[place] != 0) return {&entries_[number_of(places_[place])].second, false};
+    if (entries_.size() == number_mask) throw std::length_error("FlatMap: too many entries");
     places_[place] = tagged(entries_.size(), hash);
     entries_.emplace_back(key, Value());
     return {&entries_.back().second, true};
@@ -82,13 +95,16 @@ class FlatMap {
   static std::uint32_t tagged(std::size_t number, std::uint64_t hash) {
     return std::uint32_t(number + 1) | tag_of(hash);
   }
-  static std::uint64_t hash_of(const Key& key) {
+  // What keys are hashed and looked for as.
+  using Look = std::conditional_t<std::is_same_v<Key, std::string>, std::string_view, const Key&>;
+  static std::uint64_t hash_of(Look key) {
     // Fibonacci hashing: the low bits of a poor hash depend on all of it.
-    const std::uint64_t hash = std::uint64_t(std::hash<Key>()(key)) * 0x9e3779b97f4a7c15ull;
+    const std::uint64_t hash =
+        std::uint64_t(std::hash<std::remove_cvref_t<Look>>()(key)) * 0x9e3779b97f4a7c15ull;
     return hash ^ (hash >> 32);
   }
   // Where the key is, or the empty place where it would go.
-  std::size_t place_of(const Key& key, std::uint64_t hash) const {
+  std::size_t place_of(Look key, std::uint64_t hash) const {
     for (std::size_t at = hash & mask_;; at = (at + 1) & mask_) {
       const std::uint32_t place = places_[at];
       if (place == 0 || ((place & ~number_mask) == tag_of(hash) && entries_[number_of(place)].first == key))
