@@ -265,10 +265,9 @@ Frame GlRenderer::render_once(const SceneSnapshot& scene, const Passes& passes, 
   const std::function<bool()> go_on =
       progress ? std::function<bool()>([&] { return progress(done); }) : std::function<bool()>();
   // Passes beyond the first march to the light where the quality asks for it.
-  const bool exact = scene.quality.view.exact_light_at_rest && !scene.lights.empty();
+  const bool exact = has_exact_passes(scene.quality.view, passes.most) && !scene.lights.empty();
   const std::vector<FlatScene> batches = light_batches(whole);
-  const std::vector<FlatScene> exact_parts =
-      exact && passes.most > 1 ? exact_batches(whole) : std::vector<FlatScene>();
+  const std::vector<FlatScene> exact_parts = exact ? exact_batches(whole) : std::vector<FlatScene>();
   gpu_->batches.resize(batches.size());
   gpu_->exact_batches.resize(exact_parts.size());
   const int map_passes = exact_parts.empty() ? passes.most : 1;
@@ -285,7 +284,7 @@ Frame GlRenderer::render_once(const SceneSnapshot& scene, const Passes& passes, 
     in_blocks = &flat;
     auto start = Clock::now();
     double cpu_start = processor_milliseconds();
-    if (first && flat.view.light == LightLookup::map) {
+    if (first && flat.view.light != LightLookup::march) {
       build_maps(flat, state, go_on);
       publish(flat, state);
       glFinish();

@@ -179,6 +179,11 @@ FlatScene part_of(const FlatScene& scene, std::size_t first, std::size_t last) {
 }  // namespace
 
 std::vector<FlatScene> light_batches(const FlatScene& scene) {
+  if (scene.view.light == LightLookup::error && !scene.lights.empty()) {
+    std::vector<FlatScene> batches = exact_batches(scene);
+    for (FlatScene& part : batches) part.view.light = LightLookup::error;
+    return batches;
+  }
   std::vector<FlatScene> batches;
   std::size_t first = 0;
   do {
@@ -225,6 +230,7 @@ MarchViews view_of(const FlatScene& flat, const uvec4* texels) {
                  flat.group_count,
                  flat.varied_light,
                  flat.view.light == LightLookup::march,
+                 flat.view.light == LightLookup::error,
                  flat.view.march_step,
                  flat.view.march_depth};
   return views;

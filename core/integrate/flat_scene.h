@@ -42,7 +42,8 @@ struct FlatScene {
 FlatScene flatten(const SceneSnapshot& scene);
 
 /// The scene cut into parts that one march holds: each has at most max_lights lights and max_maps maps,
-/// counted from zero; media and all else are the same.
+/// counted from zero; media and all else are the same. Where the error of maps is asked for, every light is
+/// alone, as in exact_batches().
 std::vector<FlatScene> light_batches(const FlatScene& scene);
 
 /// The same scene with one of its lights alone.

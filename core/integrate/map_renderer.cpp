@@ -96,7 +96,7 @@ Frame MapRenderer::render(const SceneSnapshot& scene, const Passes& passes, cons
   const auto maps_done = Clock::now();
   const double cpu_maps = processor_milliseconds();
 
-  const bool exact = scene.quality.view.exact_light_at_rest && passes.most > 1;
+  const bool exact = has_exact_passes(scene.quality.view, passes.most);
   const std::vector<FlatScene> exact_parts = exact ? exact_batches(whole) : std::vector<FlatScene>();
   const int map_passes = exact_parts.empty() ? passes.most : 1;
   const double jobs =

@@ -161,7 +161,7 @@ LightRayProbe RayProbe::light_ray(const dvec3& point, std::size_t light, int cou
   const Path path(scene_, ray, 0.0);
   const auto sample = [&](double k) -> LightRayProbe::Sample {
     return {k, path.transmittance(k),
-            dvec3(shared::light_transmittance(views.scene, 0, vec3(ray.origin + k * ray.direction)))};
+            dvec3(shared::light_transmittance(views.scene, 0, vec3(ray.origin + k * ray.direction), false))};
   };
   const LightRayProbe::Sample here = sample(probe.k);
   probe.exact = here.exact;

@@ -26,6 +26,7 @@ enum class EndRule {
 enum class LightLookup {
   map,    // decoded from a transmittance map
   march,  // a march to the light from every shading point: the honest yardstick for the maps' speed
+  error,  // no light: each light's layer holds |T of a march - T of its maps|, weighted by opacity
 };
 
 struct MapQuality {
@@ -52,6 +53,11 @@ struct ViewQuality {
   float march_step = 1.0f;   // [voxels] of a marched light ray
   float march_depth = 5.0f;  // [-] optical depth at which a marched light ray ends
 };
+
+/// Whether passes beyond the first of a picture march to the light.
+inline bool has_exact_passes(const ViewQuality& view, int passes) {
+  return view.exact_light_at_rest && passes > 1 && view.light != LightLookup::error;
+}
 
 struct Quality {
   std::string name = "fast";

@@ -83,8 +83,8 @@ const std::vector<Parameter<Quality>>& quality_parameters() {
       view<&ViewQuality::light>(
           {.name = "light",
            .help = "where light comes from: transmittance maps, or a march to the light from "
-                   "every shading point",
-           .choices = {"map", "march"}}),
+                   "every shading point; error: no light, but how far the one is from the other",
+           .choices = {"map", "march", "error"}}),
       view<&ViewQuality::march_step>({.name = "march_step",
                                       .range = Range::closed(0.05, 64),
                                       .unit = "voxels",

@@ -38,6 +38,7 @@ struct MarchScene {
   int group_count = 0;
   bool varied_light = false;    // see FlatScene
   bool light_march = false;     // light is marched to every shading point instead of read from maps
+  bool light_error = false;     // how far maps are from a march takes the place of light
   float light_march_step = 1;   // [voxels]
   float light_march_depth = 5;  // [-] optical depth at which it ends
 };
@@ -126,6 +127,7 @@ inline float sigma_guide(const MarchScene& scene, int m) {
 #define EMISSIVE_MEDIA true
 #define VARIED_LIGHT scene.varied_light
 #define LIGHT_MARCH scene.light_march
+#define LIGHT_ERROR scene.light_error
 #define LIGHT_MARCH_STEP scene.light_march_step
 #define LIGHT_MARCH_DEPTH scene.light_march_depth
 #define GREY_EXTINCTION false

@@ -9,8 +9,8 @@
 #define PLINIAN_SHARED_VIEW_MARCH_H
 #include "core/shared/blackbody_lookup.h"
 #include "core/shared/light_falloff.h"
-#include "core/shared/light_march.h"
 #include "core/shared/light_lookup.h"
+#include "core/shared/light_march.h"
 #include "core/shared/phase.h"
 PLN_BEGIN
 
@@ -109,14 +109,14 @@ PLN_FN float march_light(PLN_SCENE, int l, int g, vec3 p) {
   return tau;
 }
 
-/// Transmittance per channel from light l to p: the product over the colour groups of their maps' scalar,
-/// raised to each channel's share of extinction [TFM11 eq. 14].
-PLN_FN vec3 light_transmittance(PLN_SCENE, int l, vec3 p) {
+/// Transmittance per channel from light l to p, marched or read from its maps: the product over the colour
+/// groups of their scalar, raised to each channel's share of extinction [TFM11 eq. 14].
+PLN_FN vec3 light_transmittance(PLN_SCENE, int l, vec3 p, bool marched) {
   vec3 product = vec3(1.0f);
   int face = map_face(scene, l, p);
   FOR_GROUPS {
     int map = LIGHT(l).first_map + g * LIGHT(l).faces + face;
-    float t = LIGHT_MARCH ? exp(-march_light(scene, l, g, p)) : decode_map(scene, map, p);
+    float t = marched ? exp(-march_light(scene, l, g, p)) : decode_map(scene, map, p);
     if (GREY_EXTINCTION)
       product *= t;
     else
@@ -136,11 +136,23 @@ PLN_FN float medium_temperature(PLN_SCENE, int m, LocalRay ray, float t) {
   return MEDIUM(m).temperature_offset + MEDIUM(m).temperature_scale * stored;
 }
 
+/// Adds how far the maps are from a march at p to each light's layer, weighted by the opacity there.
+PLN_FN void shade_error(PLN_SCENE, Spectrum gathered[MEDIA_CAPACITY], vec3 p, PLN_INOUT(ViewResult) result) {
+  vec3 opacity = vec3(0.0f);
+  FOR_MEDIA opacity += MEDIUM(m).sigma_t * spectrum_rgb(gathered[m]);
+  FOR_LIGHTS result.light[l] +=
+      opacity * abs(light_transmittance(scene, l, p, true) - light_transmittance(scene, l, p, false));
+}
+
 /// Adds the light of one quantum: gathered[m] is the integral of T * density of each medium over it, shaded
 /// at t.
 PLN_FN void shade(PLN_SCENE, Walk walk, Spectrum gathered[MEDIA_CAPACITY], vec3 origin, vec3 direction,
                   float t, PLN_INOUT(ViewResult) result) {
   vec3 p = origin + t * direction;
+  if (LIGHT_ERROR) {
+    shade_error(scene, gathered, p, result);
+    return;
+  }
   FOR_LIGHTS {
     float cos_theta = dot(light_travel(scene, l, p), -direction);
     vec3 scattered = vec3(0.0f);
@@ -148,8 +160,8 @@ PLN_FN void shade(PLN_SCENE, Walk walk, Spectrum gathered[MEDIA_CAPACITY], vec3 
     scattered +=
         MEDIUM(m).sigma_s * spectrum_rgb(gathered[m]) *
         phase_function(MEDIUM(m).phase_kind, cos_theta, MEDIUM(m).g, MEDIUM(m).g_back, MEDIUM(m).blend);
-    result.light[l] +=
-        scattered * LIGHT(l).power * (light_arrival(scene, l, p) * light_transmittance(scene, l, p));
+    result.light[l] += scattered * LIGHT(l).power *
+                       (light_arrival(scene, l, p) * light_transmittance(scene, l, p, LIGHT_MARCH));
   }
   FOR_MEDIA {
     result.ambient += MEDIUM(m).sigma_s * spectrum_rgb(gathered[m]);

@@ -70,6 +70,7 @@ void Studio::update_picture() {
     wanted.quality.map.density_weighting = 1.0f;
     wanted.quality.view.exact_light_at_rest = false;
   }
+  if (development.sees_map_error()) wanted.quality.view.light = LightLookup::error;
   if (!asked_ || !same_picture(*asked_, wanted)) {
     ++number_;
     asked_ = wanted;

@@ -62,6 +62,7 @@ void SceneBlocks::update(const FlatScene& scene, const std::vector<const VolumeT
               {"SEVERAL_MEDIA", flag(scene.media.size() > 1)},
               {"DEEP_TREES", flag(deep)},
               {"LIGHT_MARCH", flag(scene.view.light == LightLookup::march)},
+              {"LIGHT_ERROR", flag(scene.view.light == LightLookup::error)},
               {"LIGHT_MARCH_STEP", std::to_string(scene.view.march_step)},
               {"LIGHT_MARCH_DEPTH", std::to_string(scene.view.march_depth)}};
 }

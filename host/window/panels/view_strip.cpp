@@ -173,14 +173,15 @@ void show_view_strip(Studio& studio, const PaneRect& pane) {
   ImGui::SameLine(0.0f, scaled(6));
   ImGui::SetNextItemWidth(scaled(84));
   if (ImGui::BeginCombo("##layer", how.layer.empty() ? "beauty" : how.layer.c_str())) {
-    for (const char* layer : {"beauty", "alpha", "depth", "ambient", "emission"}) {
+    for (const char* layer : {"beauty", "alpha", "depth", "ambient", "emission", "map error"}) {
       const bool beauty = std::string(layer) == "beauty";
       if (ImGui::Selectable(layer, beauty ? how.layer.empty() : how.layer == layer))
         how.layer = beauty ? "" : layer;
     }
     ImGui::EndCombo();
   }
-  help("The layer that is seen.");
+  help("The layer that is seen; map error: how far the maps of the lights are from the exact transmittance.");
+  note_item(studio, "layer");
   ImGui::SameLine(0.0f, scaled(14));
   if (toggle(studio.viewpoint.look.free ? "free camera" : "scene camera", !studio.viewpoint.look.free,
              "Look through the scene's camera (C). Moving the view leaves to a free one."))

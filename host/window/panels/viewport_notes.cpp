@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/image/heat_map.h"
 #include "host/window/panels/overlay_text.h"
 #include "host/window/platform/theme.h"
 
@@ -79,6 +80,29 @@ void show_figures(Studio& studio, const PaneRect& pane) {
   ImGui::PopFont();
 }
 
+void show_map_error(const DevelopedPtr& shown, const PaneRect& pane) {
+  if (!shown || !shown->map_error) return;
+  const MapError& error = *shown->map_error;
+  const std::string figures =
+      fmt::format("|T exact - T map|   mean {:.4f}   worst {:.3f}", error.mean, error.worst);
+  const std::string end = fmt::format("{:g}", MapError::full_scale);
+  const float width = scaled(160), height = scaled(8), line = ImGui::GetTextLineHeight() + scaled(3);
+  const vec2 corner = pane.begin + pane.size - vec2(width + scaled(10), 2.0f * line + height);
+  constexpr int steps = 40;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  for (int i = 0; i < steps; ++i) {
+    const vec3 colour = heat_colour((float(i) + 0.5f) / steps);
+    list->AddRectFilled({corner.x + width * float(i) / steps, corner.y},
+                        {corner.x + width * float(i + 1) / steps, corner.y + height},
+                        ImGui::ColorConvertFloat4ToU32({colour.x, colour.y, colour.z, 1.0f}));
+  }
+  draw_text(corner - vec2(0.0f, line), colour::faint_text, "0");
+  draw_text(corner + vec2(width - ImGui::CalcTextSize(end.c_str()).x, -line), colour::faint_text, end);
+  draw_text({pane.begin.x + pane.size.x - ImGui::CalcTextSize(figures.c_str()).x - scaled(10),
+             corner.y - 2.0f * line},
+            colour::text, figures);
+}
+
 void show_pixel(const DevelopedPtr& shown, const PaneRect& picture, const PaneRect& pane) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const vec2 share = (vec2(mouse.x, mouse.y) - picture.begin) / picture.size;
@@ -89,9 +113,11 @@ void show_pixel(const DevelopedPtr& shown, const PaneRect& picture, const PaneRe
   const std::size_t pixel = std::size_t(y) * frame.width + x;
   const vec3 c = frame.beauty[pixel], t = frame.transmittance[pixel];
   const float depth = frame.depth[pixel];
-  const std::string text = fmt::format("{:4} {:4}   {:.4f} {:.4f} {:.4f}   a {:.3f}{}", x, y, c.x, c.y, c.z,
-                                       1.0f - (t.x + t.y + t.z) / 3.0f,
-                                       std::isfinite(depth) ? fmt::format("   z {:.4g} m", depth) : "");
+  const std::string value = shown->map_error ? fmt::format("|dT| {:.4f}", shown->map_error->pixels[pixel])
+                                             : fmt::format("{:.4f} {:.4f} {:.4f}", c.x, c.y, c.z);
+  const std::string text =
+      fmt::format("{:4} {:4}   {}   a {:.3f}{}", x, y, value, 1.0f - (t.x + t.y + t.z) / 3.0f,
+                  std::isfinite(depth) ? fmt::format("   z {:.4g} m", depth) : "");
   ImGui::PushFont(fonts().fixed);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   draw_text(pane.begin + vec2(scaled(10), pane.size.y - size.y - scaled(8)), colour::faint_text, text);

@@ -15,4 +15,7 @@ void show_figures(Studio& studio, const PaneRect& pane);
 /// What the picture holds under the pointer, in linear radiance. picture: [points] where it is.
 void show_pixel(const DevelopedPtr& shown, const PaneRect& picture, const PaneRect& pane);
 
+/// Figures and colours of the error of maps, where that is what is seen.
+void show_map_error(const DevelopedPtr& shown, const PaneRect& pane);
+
 }  // namespace plinian::window

@@ -124,11 +124,41 @@ void measure(Developed& developed, const Image& image, const ViewPicture& pictur
   }
 }
 
+// Of each pixel the mean error along its ray, weighted by what is seen there, of its worst light.
+void develop_map_error(Developed& developed, const Frame& frame, const Development& how) {
+  constexpr float least_alpha = 0.01f;
+  MapError error;
+  error.pixels.assign(frame.beauty.size(), 0.0f);
+  double count = 0.0;
+  for (std::size_t i = 0; i < error.pixels.size(); ++i) {
+    const float alpha = alpha_of(frame.transmittance[i]);
+    if (!(alpha > least_alpha)) continue;
+    for (const LightLayer& light : frame.lights) {
+      if (!how.solo.empty() && !how.solo.contains(light.name)) continue;
+      const vec3 e = light.radiance[i];
+      error.pixels[i] = std::max(error.pixels[i], (e.x + e.y + e.z) / (3.0f * alpha));
+    }
+    error.mean += error.pixels[i];
+    error.worst = std::max(error.worst, double(error.pixels[i]));
+    count += 1.0;
+  }
+  error.mean /= std::max(count, 1.0);
+  developed.bytes = heat_bytes(error.pixels, MapError::full_scale);
+  developed.map_error = std::move(error);
+}
+
 DevelopedPtr develop(const ViewPicturePtr& picture, const Development& how) {
   auto developed = std::make_shared<Developed>();
   developed->picture = picture;
   developed->width = picture->frame.width;
   developed->height = picture->frame.height;
+  // A picture that was asked for before the view changed is still one of light, and the other way round.
+  const bool is_error = picture->scene.quality.view.light == LightLookup::error;
+  if (is_error != how.sees_map_error()) return nullptr;
+  if (is_error) {
+    develop_map_error(*developed, picture->frame, how);
+    return developed;
+  }
   const Image image = visible_layers(picture->frame, how);
   Image seen = image;
   if (how.plate && sees_beauty(how)) put_behind(seen, picture->frame, how.plate->picture.frame);
@@ -205,6 +235,7 @@ void Developer::run() {
       how = how_;
     }
     DevelopedPtr developed = develop(picture, how);
+    if (!developed) continue;
     {
       const std::lock_guard lock(mutex_);
       developed_ = std::move(developed);

@@ -32,22 +32,33 @@ struct Development {
   bool matches = true;          // a file's exposure and background are matched first
   Seen seen = Seen::picture;
   FilePicturePtr plate;  // behind what has an alpha, of which it takes the shape
-  std::string layer;     // beauty (or empty), alpha, depth, emission, ambient
+  std::string layer;     // beauty (or empty), alpha, depth, emission, ambient, map error
+  bool sees_map_error() const { return layer == "map error"; }
 };
 
 /// Words that differ where developments do.
 std::string words_of(const Development& how);
 
+/// How far the maps of lights are from the exact transmittance, where media are seen.
+struct MapError {
+  std::vector<float> pixels;       // [-] |T exact - T map| of the worst light, mean over what is seen; else 0
+  double mean = 0.0, worst = 0.0;  // [-] of the pixels that see a medium
+  // What the brightest colour stands for [-], always the same: pictures of several qualities are compared by
+  // eye.
+  static constexpr float full_scale = 0.1f;
+};
+
 struct Developed {
-  int width = 0, height = 0;        // [pixels]
-  std::vector<std::uint8_t> bytes;  // r g b, top row first
-  ViewPicturePtr picture;           // that it was made of
-  std::optional<double> psnr;       // [dB] of linear radiance against the other picture, see metrics.h
-  std::optional<double> ssim;       // [-] likewise
-  std::optional<double> flip;       // [-] mean, where it is what is seen
-  ViewPicturePtr other;             // that it was measured against, as it was matched; null: it was not
-  std::string matched;              // what was done to the other for that; empty: nothing
-  std::string error;                // why the view could not be used; then it is sRGB
+  int width = 0, height = 0;          // [pixels]
+  std::vector<std::uint8_t> bytes;    // r g b, top row first
+  ViewPicturePtr picture;             // that it was made of
+  std::optional<double> psnr;         // [dB] of linear radiance against the other picture, see metrics.h
+  std::optional<double> ssim;         // [-] likewise
+  std::optional<double> flip;         // [-] mean, where it is what is seen
+  std::optional<MapError> map_error;  // likewise
+  ViewPicturePtr other;               // that it was measured against, as it was matched; null: it was not
+  std::string matched;                // what was done to the other for that; empty: nothing
+  std::string error;                  // why the view could not be used; then it is sRGB
 };
 using DevelopedPtr = std::shared_ptr<const Developed>;
 

@@ -45,6 +45,8 @@ std::optional<Frame> relit(const Frame& frame, const SceneSnapshot& scene, const
     otherwise.lights[i].exposure = scene.lights[i].exposure;
   }
   if (!same_picture(scene, otherwise)) return std::nullopt;
+  // How far maps are off does not depend on how bright lights are.
+  if (scene.quality.view.light == LightLookup::error) return frame;
   Frame result = frame;
   scale(result.ambient, *ambient);
   result.beauty.assign(frame.beauty.size(), vec3(0.0f));

@@ -1,6 +1,9 @@
 // What a quick picture costs, what it may reuse, and when two snapshots show the same.
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <thread>
+
 #include "core/integrate/map_renderer.h"
 #include "host/window/view/developer.h"
 #include "host/window/view/interactive_cost.h"
@@ -148,6 +151,62 @@ TEST(Relight, RefusesWhatItCannotTell) {
   EXPECT_TRUE(refuses([](SceneSnapshot& s) { s.media[0].density_scale = 2.0f; }));
   EXPECT_TRUE(refuses([](SceneSnapshot& s) { s.ambient = vec3(0.1f); }))
       << "what was dark has no layer to scale";
+}
+
+TEST(Relight, LeavesTheErrorOfMapsAsItIs) {
+  SceneSnapshot scene = ball();
+  scene.width = scene.height = 16;
+  scene.quality.view.light = LightLookup::error;
+  const Frame frame = make_map_renderer()->render(scene, 1);
+  SceneSnapshot brighter = scene;
+  brighter.lights[0].exposure = 3.0f;
+  const auto made = relit(frame, scene, brighter);
+  ASSERT_TRUE(made);
+  EXPECT_EQ(made->lights[0].radiance, frame.lights[0].radiance);
+}
+
+TEST(Development, OfTheErrorOfMapsIsOfTheWorstLightWhereSomethingIsSeen) {
+  auto picture = std::make_shared<ViewPicture>();
+  picture->scene.quality.view.light = LightLookup::error;
+  Frame& frame = picture->frame;
+  frame.width = 3;
+  frame.height = 1;
+  frame.beauty.assign(3, vec3(0.0f));
+  frame.transmittance = {vec3(0.5f), vec3(0.0f), vec3(1.0f)};
+  frame.depth = {1.0f, 1.0f, INFINITY};
+  frame.ambient = frame.emission = frame.background = frame.beauty;
+  frame.lights = {{"key", {vec3(0.01f), vec3(0.02f), vec3(0.0f)}},
+                  {"rim", {vec3(0.02f), vec3(0.0f), vec3(0.0f)}}};
+  std::atomic<int> woken{0};
+  Developer developer([&] { ++woken; });
+  const auto developed = [&](const Development& how) {
+    const int before = woken;
+    developer.ask(picture, how);
+    while (woken == before) std::this_thread::yield();
+    return developer.developed();
+  };
+  Development how;
+  how.layer = "map error";
+  DevelopedPtr seen = developed(how);
+  ASSERT_TRUE(seen->map_error);
+  EXPECT_FLOAT_EQ(seen->map_error->pixels[0], 0.04f) << "of what is half transparent";
+  EXPECT_FLOAT_EQ(seen->map_error->pixels[1], 0.02f);
+  EXPECT_EQ(seen->map_error->pixels[2], 0.0f);
+  EXPECT_NEAR(seen->map_error->mean, 0.03, 1e-6);
+  EXPECT_NEAR(seen->map_error->worst, 0.04, 1e-6);
+  EXPECT_GT(seen->bytes[0], seen->bytes[3]) << "more is brighter";
+  how.solo = {"key"};
+  EXPECT_NEAR(developed(how)->map_error->worst, 0.02, 1e-6);
+  // As light, once asked for, only a picture of light is shown; until then the last good one stays.
+  const DevelopedPtr last = developer.developed();
+  developer.ask(picture, Development());
+  auto light = std::make_shared<ViewPicture>(*picture);
+  light->scene.quality.view.light = LightLookup::map;
+  picture = light;
+  seen = developed(Development());
+  EXPECT_NE(seen, last);
+  EXPECT_FALSE(seen->map_error);
+  EXPECT_EQ(seen->picture, light);
 }
 
 TEST(Development, ShowsLightsAloneLayersAndAlpha) {
