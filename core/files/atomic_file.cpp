@@ -23,7 +23,8 @@ class TemporaryFile {
     std::string stem = ".";
     stem += target.filename().string().substr(0, 200) + "." + std::to_string(::getpid()) + ".";
     do {
-      path_ = target.parent_path() / (stem + std::to_string(counter++) + ".tmp");
+      path_ =
+          target.parent_path() / (stem + std::to_string(counter++) + ".tmp" + target.extension().string());
       descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     } while (descriptor_ < 0 && errno == EEXIST);
     if (descriptor_ < 0) path_.clear();
@@ -130,8 +131,9 @@ namespace {
 void keep_backup(const fs::path& target) {
   if (::access(target.c_str(), F_OK) != 0) return;
   const fs::path backup = target.string() + ".bak";
-  const fs::path link = target.parent_path() / ("." + target.filename().string().substr(0, 200) + "." +
-                                                std::to_string(::getpid()) + ".bak.tmp");
+  std::string name = ".";
+  name += target.filename().string().substr(0, 200) + "." + std::to_string(::getpid()) + ".bak.tmp";
+  const fs::path link = target.parent_path() / name;
   ::unlink(link.c_str());
   std::error_code error;
   if (::link(target.c_str(), link.c_str()) != 0)  // a file system without links

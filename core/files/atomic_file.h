@@ -29,8 +29,8 @@ void write_file(const std::string& path, std::string_view text);
 /// of what was there, and that is kept as `path`.bak. Whatever moment the power fails, `path` is whole.
 void write_file_durably(const std::string& path, std::string_view text);
 
-/// As above for bytes that somebody else writes: `fill` is given the path of the temporary file, which exists
-/// and is empty. What it throws is passed on.
+/// As above for bytes that somebody else writes: `fill` is given the path of the temporary file, which
+/// exists, is empty and has the extension of `path`. What it throws is passed on.
 void write_file(const std::string& path, const std::function<void(const std::string&)>& fill);
 
 }  // namespace plinian

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <filesystem>
 
+#include "core/scene/nearest_word.h"
 #include "host/graph/graph_error.h"
 #include "host/graph/values/words.h"
 
@@ -34,6 +35,12 @@ const FileType* FileTypeRegistry::find(const std::string& path) const {
   for (const auto& [name, type] : types_)
     if (std::ranges::count(type.extensions, extension) || std::ranges::count(type.words, path)) return &type;
   return nullptr;
+}
+
+std::string FileTypeRegistry::nearest_word(const std::string& word) const {
+  std::vector<std::string> words;
+  for (const auto& [name, type] : types_) words.insert(words.end(), type.words.begin(), type.words.end());
+  return did_you_mean(word, words);
 }
 
 std::vector<const FileType*> FileTypeRegistry::all() const {

@@ -16,8 +16,10 @@ struct FileType {
   std::string plugin;                   // who registers it; empty: the program itself
   std::vector<std::string> extensions;  // in lower case, without the dot
   std::vector<std::string> words;       // what can be named that is no file, as "ash"
-  /// Run as a part of the command, with its arguments; the importer answers with names of nodes. Either may
-  /// be empty.
+  /// Run as a part of the command, with its arguments; either may be empty. The importer answers with names
+  /// of nodes; what it makes outside of the flag's namespace is put there. The exporter finds as "nodes" the
+  /// names of all that is to be written, and as "file" a temporary one, which takes its place once it is
+  /// written.
   std::function<CommandResult(Session&, const Arguments&)> import_file, export_file;
 };
 
@@ -29,6 +31,8 @@ class FileTypeRegistry {
   /// The type of a file by its name, or of a word, or null.
   const FileType* find(const std::string& path) const;
   std::vector<const FileType*> all() const;
+  /// " (did you mean 'ash'?)" behind a word that is nearly one of theirs; else empty.
+  std::string nearest_word(const std::string& word) const;
 
  private:
   std::map<std::string, FileType> types_;  // by name

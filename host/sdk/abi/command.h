@@ -44,9 +44,13 @@ typedef struct PlinianCommand {
 } PlinianCommand;
 
 /* Files that the commands import and export take beside scenes, by their extension (since 1.1). The functions
- * are called as a part of those commands: an importer runs commands that make what the file holds and answers
- * with the names of the nodes, and finds the words of the flag "namespace"; an exporter finds the words of
- * the parameter "nodes". Either may be null. */
+ * are called as a part of those commands. An importer runs commands that make what the file holds and answers
+ * with the names of the nodes; what it does not put into the namespace of the flag "namespace" itself is put
+ * there behind it. An exporter finds as words of the parameter "nodes" the names of all that is to be
+ * written: the nodes that were named or are selected, what is under them, the transforms above them and, with
+ * the flag "inputs", what drives them (before 1.3 the words as they were typed). It writes to `path`, a
+ * temporary file of the right extension that takes the place of the real one once the exporter has succeeded
+ * and the file is not empty. Either may be null. */
 typedef struct PlinianFileType {
   size_t size;
   const char* name;

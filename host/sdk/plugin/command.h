@@ -46,9 +46,11 @@ struct Command {
   std::function<void(Call&)> run;
 };
 
-/// Files that the commands import and export take, by extension. An importer runs commands that make what
-/// the file holds, answers with the names of the nodes, and finds call.words("namespace"); an exporter
-/// finds call.words("nodes").
+/// Files that the commands import and export take, by extension. An importer runs commands that make what the
+/// file holds and answers with the names of the nodes; the namespace that was asked for they get by
+/// themselves. An exporter finds in call.words("nodes") the names of all that is to be written, each once,
+/// those that were named or are selected first; it writes to `path`, a temporary file that takes the real
+/// one's place when it returns.
 struct FileType {
   std::string name, help;
   std::string extensions;  // "chan" or "obj ply", in lower case
