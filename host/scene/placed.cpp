@@ -59,7 +59,7 @@ bool Placed::is_shown(NodeId id, const std::set<NodeId>& isolated) const {
   if (!isolated.empty() && !graph::is_shown(graph_, id, isolated)) return false;
   for (NodeId at = id; at; at = graph_.find(at)->parent) {
     const Node& node = *graph_.find(at);
-    const AttributeIndex attribute = node.schema->find(graph::visibility_attribute);
+    const AttributeIndex attribute = graph::visibility_of(*node.schema);
     if (attribute != graph::no_attribute && number({at, attribute}) == 0.0) return false;
   }
   return true;

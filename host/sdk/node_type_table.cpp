@@ -3,6 +3,7 @@
 
 #include "host/graph/files/attribute_declaration.h"
 #include "host/graph/graph_error.h"
+#include "host/graph/model/hierarchy.h"
 #include "host/graph/values/value_text.h"
 #include "host/sdk/hidden_outputs.h"
 #include "host/sdk/inside_plugin.h"
@@ -58,6 +59,21 @@ AttributeSpec attribute_from(const PlinianAttribute& from) {
   for (const PlinianAttribute& child : all_of(from.children, from.child_count))
     spec.children.push_back(attribute_from(child));
   return spec;
+}
+
+// Whatever has a place in the hierarchy can be hidden; who makes a picture looks for it by name. Types that
+// have an attribute of that name, or had one, keep it.
+void add_visibility(graph::NodeTypeSpec& spec) {
+  const std::string name = graph::visibility_attribute;
+  for (const AttributeSpec& attribute : spec.attributes)
+    if (attribute.name == name) return;
+  for (const graph::AttributeAlias& alias : spec.aliases)
+    if (alias.old_path == name) return;
+  spec.attributes.push_back({.name = name,
+                             .type = graph::AttributeType::boolean,
+                             .default_value = true,
+                             .help = "Off: neither it nor what is under it is seen.",
+                             .layout = {.group = "Transform"}});
 }
 
 struct MigrationState {
@@ -119,6 +135,7 @@ graph::NodeTypeSpec node_type_from(const PlinianNodeType* plain, const std::shar
     for (int version = 1; version < spec.version; ++version)
       spec.migrators.push_back(
           {version, [migrate = from.migrate, user = from.user, version, data,
+  if (spec.hierarchical) add_visibility(spec);
                      name = spec.name](graph::StoredAttributes& attributes) {
              const InsidePlugin inside(data->owner, "migrating nodes of the type", name.c_str());
              MigrationState state{attributes, ""};

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "host/graph/model/conversion.h"
+
 namespace plinian::graph {
 
 std::vector<NodeId> ancestors(const Graph& graph, NodeId node) {
@@ -32,11 +34,18 @@ std::vector<NodeId> with_descendants(const Graph& graph, const std::vector<NodeI
   return result;
 }
 
+AttributeIndex visibility_of(const Schema& schema) {
+  const AttributeIndex attribute = schema.find(visibility_attribute);
+  if (attribute == no_attribute) return no_attribute;
+  const AttributeSpec& spec = schema[attribute].spec;
+  return is_number(spec.type) && !spec.array ? attribute : no_attribute;
+}
+
 bool is_visible(const Graph& graph, NodeId node) {
   for (NodeId at = node; at; at = graph.find(at)->parent) {
     const Node& found = *graph.find(at);
-    const AttributeIndex attribute = found.schema->find(visibility_attribute);
-    if (attribute != no_attribute && found.value(attribute) == Value(false)) return false;
+    const AttributeIndex attribute = visibility_of(*found.schema);
+    if (attribute != no_attribute && number_of(found.value(attribute)) == 0.0) return false;
   }
   return true;
 }

@@ -17,6 +17,9 @@ std::vector<NodeId> with_descendants(const Graph& graph, const std::vector<NodeI
 /// Name of the attribute by which a node hides itself and what is under it.
 inline constexpr const char* visibility_attribute = "visibility";
 
+/// That attribute, where there is one that says yes or no; else no_attribute.
+AttributeIndex visibility_of(const Schema& schema);
+
 /// Whether the node and all its parents are set to be visible. A connected visibility counts as what it is
 /// set to; an evaluator knows better.
 bool is_visible(const Graph& graph, NodeId node);

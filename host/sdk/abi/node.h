@@ -123,7 +123,9 @@ typedef struct PlinianNodeType {
 } PlinianNodeType;
 
 #define PLINIAN_NODE_NOT_CONCURRENT 1u /* compute may not run on several threads at a time */
-#define PLINIAN_NODE_HIERARCHICAL 2u   /* has a place in the transform hierarchy */
+/* Has a place in the transform hierarchy, and an attribute `visibility`, which the host declares behind those
+ * of a type that has none of that name. */
+#define PLINIAN_NODE_HIERARCHICAL 2u
 #define PLINIAN_NODE_HOLDS_CHILDREN 4u /* ... and may be a parent in it */
 #define PLINIAN_NODE_FOLLOWS 8u        /* deleted with the last node that it drives */
 #define PLINIAN_NODE_TIME_SOURCE 16u   /* tells the current time; what it drives depends on it (since 1.1) */

@@ -71,7 +71,8 @@ struct NodeType {
 
   std::string name, help, aliases;  // aliases: "old=new older=new"
   int version = 1;
-  bool concurrent = true, hierarchical = false, holds_children = false, follows = false;
+  bool hierarchical = false;  // has a place under transforms and, where it declares none, a visibility
+  bool concurrent = true, holds_children = false, follows = false;
   bool unique = false;       // a scene has one: what is imported shares it instead of bringing its own
   bool time_source = false;  // its compute function may ask for the time
   std::vector<AttributeSpec> attributes;

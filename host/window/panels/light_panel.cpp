@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "host/graph/model/conversion.h"
+#include "host/graph/model/hierarchy.h"
 #include "host/window/fields/arithmetic.h"
 #include "host/window/fields/edit_lines.h"
 #include "host/window/platform/theme.h"
@@ -24,7 +25,7 @@ bool is_light(const graph::Node& node) {
 void LightPanel::show_light(Studio& studio, const graph::Node& node) {
   const graph::Graph& graph = studio.session().graph();
   ImGui::PushID(int(node.id.value));
-  const graph::AttributeIndex seen = node.schema->find("visibility");
+  const graph::AttributeIndex seen = graph::visibility_of(*node.schema);
   bool on = seen == graph::no_attribute || graph::number_of(node.value(seen)) != 0.0;
   const auto trace = [&](const char* what) {
     studio.trace.item("light " + node.name + " " + what,

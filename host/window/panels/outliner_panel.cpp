@@ -7,6 +7,8 @@
 #include <cctype>
 #include <cstdio>
 
+#include "host/graph/model/conversion.h"
+#include "host/graph/model/hierarchy.h"
 #include "host/window/platform/theme.h"
 
 namespace plinian::window {
@@ -85,8 +87,8 @@ void OutlinerPanel::show_node(Studio& studio, const graph::Node& node, bool tree
       if (entered || (!focus_ && ImGui::IsItemDeactivated())) renamed_ = {};
       focus_ = false;
     } else {
-      const graph::AttributeIndex seen = node.schema->find("visibility");
-      const bool hidden = seen != graph::no_attribute && node.value(seen) == graph::Value(false);
+      const graph::AttributeIndex seen = graph::visibility_of(*node.schema);
+      const bool hidden = seen != graph::no_attribute && graph::number_of(node.value(seen)) == 0.0;
       ImGui::AlignTextToFramePadding();
       if (hidden)
         ImGui::TextDisabled("%s", node.name.c_str());

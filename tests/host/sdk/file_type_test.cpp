@@ -60,5 +60,14 @@ TEST(FileType, AnImporterThatKnowsNoNamespacesIsGivenThem) {
   EXPECT_EQ(s.run("ls"), "time1");
 }
 
+TEST(PluginHierarchy, EveryTypeInItCanBeHiddenAndKeepsAnAttributeOfThatNameOfItsOwn) {
+  ListSession s;
+  s.run("createNode place\ncreateNode ghost");
+  EXPECT_EQ(s.run("getAttr place1.visibility\nsetAttr place1.visibility off\ngetAttr place1.visibility"),
+            "true\nfalse");
+  EXPECT_EQ(s.run("getAttr ghost1.out\nsetAttr ghost1.visibility 2\ngetAttr ghost1.out"), "0.5\n4");
+  EXPECT_EQ(s.session.types().get("ghost")->schema()->find("visibility"), 0);
+}
+
 }  // namespace
 }  // namespace plinian::sdk
