@@ -105,16 +105,20 @@ inline void uninitialise(const PlinianHost* host) {
   registered().erase(host);
 }
 
-// An ELF note: name, description, type, as the System V ABI lays them out.
+// An ELF note: name, description, type, as the System V ABI lays them out. An aggregate: GCC puts what has a
+// constructor into a section that can be written to, as no note may be.
 template <std::size_t N>
 struct Note {
   std::uint32_t name_size = 8, text_size = N, type = 1;
   char name[8] = {'P', 'l', 'i', 'n', 'i', 'a', 'n', 0};
   char text[(N + 3) / 4 * 4] = {};
-  constexpr explicit Note(const char (&source)[N]) {
-    for (std::size_t i = 0; i < N; ++i) text[i] = source[i];
-  }
 };
+template <std::size_t N>
+constexpr Note<N> note_of(const char (&source)[N]) {
+  Note<N> note;
+  for (std::size_t i = 0; i < N; ++i) note.text[i] = source[i];
+  return note;
+}
 
 }  // namespace detail
 }  // namespace sdk
@@ -132,9 +136,9 @@ struct Note {
 /// type and file type that it brings and no other, else it is refused; it and what stands before it are
 /// string literals. initialise_function: void (plinian::sdk::Plugin&); throws to refuse.
 #define PLINIAN_PLUGIN(plugin_name, plugin_version, plugin_vendor, registers, initialise_function) \
-  __attribute__((section(".note.plinian"), used,                                                   \
-                 aligned(4))) constinit const plinian::sdk::detail::Note plinian_plugin_note{      \
-      PLINIAN_DESCRIPTION_(plugin_name, plugin_version, plugin_vendor, registers)};                \
+  __attribute__((section(".note.plinian"), used, aligned(4))) constexpr auto plinian_plugin_note = \
+      plinian::sdk::detail::note_of(                                                               \
+          PLINIAN_DESCRIPTION_(plugin_name, plugin_version, plugin_vendor, registers));            \
   extern "C" int plinian_initialise(const PlinianHost* host) {                                     \
     return plinian::sdk::detail::initialise(host, initialise_function);                            \
   }                                                                                                \

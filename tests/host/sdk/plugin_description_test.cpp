@@ -1,5 +1,8 @@
 #include "host/sdk/plugin_description.h"
 
+#include <elf.h>
+
+#include <cstring>
 #include <fstream>
 #include <random>
 
@@ -22,6 +25,26 @@ TEST(PluginDescription, IsReadFromTheLibraryWithoutLoadingIt) {
   EXPECT_EQ(wobble.abi_minor, 2);
   EXPECT_EQ(wobble.registers,
             (std::vector<std::string>{"node:wobble", "node:wobbleTotal", "command:wobbleAll"}));
+}
+
+TEST(PluginDescription, StandsInANoteThatNobodyMayWriteTo) {
+  const std::string file = graph::read_text_file(folder + "/wobble.so");
+  Elf64_Ehdr header;
+  std::memcpy(&header, file.data(), sizeof(header));
+  const auto section = [&](std::size_t index) {
+    Elf64_Shdr found;
+    std::memcpy(&found, file.data() + header.e_shoff + index * sizeof(found), sizeof(found));
+    return found;
+  };
+  const std::size_t names = section(header.e_shstrndx).sh_offset;
+  int notes = 0;
+  for (std::size_t i = 0; i < header.e_shnum; ++i) {
+    if (std::string(file.data() + names + section(i).sh_name) != ".note.plinian") continue;
+    ++notes;
+    EXPECT_EQ(section(i).sh_type, unsigned(SHT_NOTE));
+    EXPECT_EQ(section(i).sh_flags, unsigned(SHF_ALLOC)) << "else the assembler warns of it";
+  }
+  EXPECT_EQ(notes, 1);
 }
 
 TEST(PluginDescription, MayStandInAFileBesideTheLibrary) {
