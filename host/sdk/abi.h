@@ -24,7 +24,7 @@ extern "C" {
 #endif
 
 #define PLINIAN_ABI_MAJOR 1
-#define PLINIAN_ABI_MINOR 2
+#define PLINIAN_ABI_MINOR 3
 
 /* What a plug-in is given when it is initialised. */
 typedef struct PlinianHost {

@@ -79,6 +79,7 @@ void add_visibility(graph::NodeTypeSpec& spec) {
 struct MigrationState {
   graph::StoredAttributes& attributes;
   std::string text;
+  std::string failure;
   graph::StoredAttribute* find(const char* path) {
     for (graph::StoredAttribute& attribute : attributes)
       if (attribute.path == text_of(path)) return &attribute;
@@ -107,6 +108,9 @@ const PlinianMigrate migrate_table = {
     [](PlinianMigration* m, const char* path) {
       std::erase_if(state_of(m).attributes,
                     [&](const graph::StoredAttribute& attribute) { return attribute.path == text_of(path); });
+    },
+    [](PlinianMigration* m, const char* message) {
+      state_of(m).failure = message && *message ? message : "no reason is given";
     }};
 
 }  // namespace
@@ -131,15 +135,16 @@ graph::NodeTypeSpec node_type_from(const PlinianNodeType* plain, const std::shar
     spec.aliases.push_back({alias.substr(0, equals), alias.substr(equals + 1)});
   }
   add_hidden_outputs(spec, from, data);
+  if (spec.hierarchical) add_visibility(spec);
   if (from.migrate)
     for (int version = 1; version < spec.version; ++version)
       spec.migrators.push_back(
           {version, [migrate = from.migrate, user = from.user, version, data,
-  if (spec.hierarchical) add_visibility(spec);
                      name = spec.name](graph::StoredAttributes& attributes) {
              const InsidePlugin inside(data->owner, "migrating nodes of the type", name.c_str());
-             MigrationState state{attributes, ""};
+             MigrationState state{attributes, "", ""};
              migrate(user, version, &migrate_table, reinterpret_cast<PlinianMigration*>(&state));
+             if (!state.failure.empty()) throw GraphError(state.failure);
            }});
   return spec;
 }

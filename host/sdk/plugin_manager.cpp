@@ -244,8 +244,9 @@ std::string PluginManager::adopt(std::unique_ptr<Library> library) {
   for (const std::string& type : kept.data_types)
     forgotten += graph::wake(history, *session_.types().find_data_type(type));
   warn_of_forgotten(forgotten, "the plug-in '" + name + "' does not declare what it did when they were made");
-  // Nothing happened since it went: it is as if it had stayed.
-  if (!history.take_back_form("unload " + name)) revive(kept);
+  // Where nothing happened since it went it is as if it had stayed. Nodes may have been waiting even then.
+  history.take_back_form("unload " + name);
+  revive(kept);
   return name;
 }
 

@@ -47,7 +47,22 @@ NodeId Editor::create_node(const NodeTypePtr& type, const std::string& name, Nod
   return add_node(std::move(node));
 }
 
+// A scene has one version of a type: beside nodes that could not be migrated to this one there can be none.
+void Editor::check_version(const NodeType& type) {
+  const auto kept = graph_.kept_types().find(type.name());
+  if (type.is_unknown() || kept == graph_.kept_types().end() || kept->second.version >= type.version())
+    return;
+  for (const Node* other : graph_.nodes())
+    if (other->type->is_unknown() && other->type->name() == type.name())
+      throw GraphError("there can be no new " + type.name() + " beside " + other->name +
+                       ", which is of version " + std::to_string(kept->second.version) +
+                       " of the type: load a plug-in that can migrate it, or delete it first");
+  set_kept_type(type.name(), std::nullopt);  // they are gone
+}
+
 NodeId Editor::add_node(Node node) {
+  const History::Scope scope(history_, "add");
+  check_version(*node.type);
   check_name(node.name);
   check_parent(graph_, *node.type, node.name, node.parent);
   node.id = graph_.new_id();

@@ -62,6 +62,7 @@ class Editor {
   std::string set_problem(const Plug& plug) const;
 
  private:
+  void check_version(const NodeType& type);
   void connect_one(const Plug& source, Plug destination, bool replace);
   void set_stored(const Plug& plug, std::optional<Value> value);
   void disconnect_all(NodeId node);

@@ -77,6 +77,22 @@ bool NodeReader::keeps_anything() const {
   return type_->is_unknown() || section_.version > type_->version() || !unknown_lines_.empty();
 }
 
+void NodeReader::migrate(const std::string& name, StoredAttributes& stored) const {
+  for (int version = section_.version; version < type_->version(); ++version)
+    for (const Migrator& migrator : type_->spec().migrators) {
+      if (migrator.from != version) continue;
+      try {
+        migrator.migrate(stored);
+      } catch (const std::exception& error) {
+        throw MigrationError(
+            type_->name(),
+            name + " cannot be migrated from version " + std::to_string(version) + " of the type '" +
+                type_->name() + "': " + error.what() +
+                "; nodes of the type are kept as they are: load a plug-in that can migrate them");
+      }
+    }
+}
+
 NodeText NodeReader::read(const std::string& name, const std::vector<SceneLine>& lines, const WarnLine& warn,
                           const std::function<void(int, const std::string&)>& fail) const {
   NodeText result;
@@ -137,9 +153,7 @@ NodeText NodeReader::read(const std::string& name, const std::vector<SceneLine>&
     for (const SceneLine& line : section_.lines)
       if (split_attribute(line.text, path, rest)) defaults.push_back({path, rest});
     stored = overlaid(defaults, stored);
-    for (int version = section_.version; version < type_->version(); ++version)
-      for (const Migrator& migrator : type_->spec().migrators)
-        if (migrator.from == version) migrator.migrate(stored);
+    migrate(name, stored);
   }
 
   std::map<std::pair<AttributeIndex, std::int32_t>, Value> values;

@@ -8,6 +8,7 @@
 
 #include "host/graph/edits/editor.h"
 #include "host/graph/files/scene_sections.h"
+#include "host/graph/graph_error.h"
 
 namespace plinian::graph {
 
@@ -31,6 +32,14 @@ struct NodeText {
   NodeLinks links;
 };
 
+/// A migrator that failed. Since a scene has one version of a type, all nodes of it stay as they stand there,
+/// as unknown ones of the old version, until a type is registered that can migrate them.
+struct MigrationError : GraphError {
+  MigrationError(std::string of_type, const std::string& message)
+      : GraphError(message), type(std::move(of_type)) {}
+  std::string type;
+};
+
 /// Reads nodes of one type, given what the scene says of it.
 class NodeReader {
  public:
@@ -39,7 +48,8 @@ class NodeReader {
   /// What the section looks into must outlive the reader.
   NodeReader(NodeTypePtr type, const TypeSection& section, bool newer);
 
-  /// Throws GraphError, without the line's place, through `fail_at`, for what no scene holds.
+  /// Throws GraphError, without the line's place, through `fail_at`, for what no scene holds, and
+  /// MigrationError, naming the node.
   NodeText read(const std::string& name, const std::vector<SceneLine>& lines, const WarnLine& warn,
                 const std::function<void(int line, const std::string&)>& fail) const;
 
@@ -50,6 +60,8 @@ class NodeReader {
   const NodeTypePtr& type() const { return type_; }
 
  private:
+  void migrate(const std::string& name, StoredAttributes& stored) const;
+
   NodeTypePtr type_;
   TypeSection section_;
   bool newer_;

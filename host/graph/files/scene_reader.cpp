@@ -24,17 +24,19 @@ constexpr std::size_t max_warnings = 100;
 class SceneReader {
  public:
   SceneReader(const std::string& name, const TypeRegistry& registry, Editor& editor,
-              const std::string& name_space)
+              const std::string& name_space, const std::map<std::string, std::string>& held_back)
       : name_(name),
         registry_(registry),
         editor_(editor),
-        prefix_(name_space.empty() ? "" : name_space + ":") {}
+        prefix_(name_space.empty() ? "" : name_space + ":"),
+        held_back_(held_back) {}
 
   SceneReport read(const SceneSections& scene) {
     const History::Scope scope(editor_.history(), "open");
     for (const Node* node : editor_.graph().nodes())
       if (node->type->spec().unique) own_.emplace(node->type.get(), node->id);
     greet(scene);
+    check_held_back();
     prepare_types(scene);
     report_.nodes.reserve(scene.nodes.size());
     for (const NodeSection& section : scene.nodes) add_node(section, scene.is_newer());
@@ -71,12 +73,22 @@ class SceneReader {
     editor_.set_kept_type("", kept);
   }
 
+  // Their nodes are unknown here, beside which none that are known can be saved.
+  void check_held_back() {
+    for (const auto& [type, why] : held_back_) {
+      for (const Node* node : editor_.graph().nodes())
+        if (node->type->name() == type && !node->type->is_unknown())
+          throw GraphError(name_ + ": " + why + ", or delete " + node->name + " and its like first");
+      add_warning(0, why);
+    }
+  }
+
   void prepare_types(const SceneSections& scene) {
     for (const TypeSection& section : scene.types) {
       if (readers_.contains(section.name))
         fail(section.line, "the type '" + section.name + "' is there twice");
       NodeTypePtr type = registry_.find(section.name);
-      if (!type) type = NodeType::unknown(section.name, section.version);
+      if (!type || held_back_.contains(section.name)) type = NodeType::unknown(section.name, section.version);
       const NodeReader& reader =
           readers_.emplace(section.name, NodeReader(type, section, scene.is_newer())).first->second;
       if (section.version > type->version() && !type->is_unknown())
@@ -191,7 +203,7 @@ class SceneReader {
     std::map<std::string, int> unknown;
     for (const NodeId id : report_.nodes) {
       const NodeType& type = *editor_.graph().find(id)->type;
-      if (type.is_unknown()) ++unknown[type.name()];
+      if (type.is_unknown() && !held_back_.contains(type.name())) ++unknown[type.name()];
     }
     for (const auto& [type, count] : unknown) {
       const auto kept = editor_.graph().kept_types().find(type);
@@ -207,7 +219,8 @@ class SceneReader {
   const TypeRegistry& registry_;
   Editor& editor_;
   const std::string prefix_;
-  std::map<const NodeType*, NodeId> own_;  // of unique types, before the scene was read
+  const std::map<std::string, std::string>& held_back_;  // types whose nodes cannot be migrated, and why
+  std::map<const NodeType*, NodeId> own_;                // of unique types, before the scene was read
   SceneReport report_;
   std::map<std::string, NodeReader> readers_;
   std::map<std::string, const TypeSection*> spelled_out_;
@@ -221,7 +234,15 @@ class SceneReader {
 SceneReport read_scene(std::string_view text, const std::string& name, const TypeRegistry& registry,
                        Editor& editor, const std::string& name_space) {
   const SceneSections scene = read_sections(text, name);
-  return SceneReader(name, registry, editor, name_space).read(scene);
+  std::map<std::string, std::string> held_back;
+  while (true) {
+    try {
+      return SceneReader(name, registry, editor, name_space, held_back).read(scene);
+    } catch (const MigrationError& error) {
+      // Which of a type's nodes fail is known after others were read: from the start again, without the type.
+      if (!held_back.emplace(error.type, error.what()).second) throw;
+    }
+  }
 }
 
 std::vector<RequiredPlugin> required_plugins(std::string_view text, const std::string& name) {

@@ -22,6 +22,24 @@ std::vector<NodeId> nodes_of(const Graph& graph, const std::string& type, bool u
   return result;
 }
 
+// As an unknown one a node may have been put where its type has no place.
+void leave_hierarchy(Editor& editor, NodeId id, const NodeTypeSpec& type,
+                     std::vector<std::string>& warnings) {
+  const Graph& graph = editor.graph();
+  const Node& node = *graph.find(id);
+  const NodeId above = type.hierarchical ? node.parent : NodeId();
+  if (!type.holds_children && !graph.children(id).empty()) {
+    warnings.push_back(node.name + " (" + type.name + ") cannot be a parent: what is under it moves up");
+    const std::set<NodeId> children = graph.children(id);
+    editor.set_parent({children.begin(), children.end()}, above);
+  }
+  if (above != node.parent) {
+    warnings.push_back(node.name + " (" + type.name +
+                       ") has no place in the transform hierarchy: it leaves its parent");
+    editor.set_parent({id}, above);
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> revive_nodes(Editor& editor, const NodeTypePtr& type) {
@@ -37,26 +55,31 @@ std::vector<std::string> revive_nodes(Editor& editor, const NodeTypePtr& type) {
     section.lines = lines_of(before.lines);
   }
   const NodeReader reader(type, section, true);
-  editor.set_kept_type(type->name(), reader.keeps_anything() ? std::optional(reader.kept()) : std::nullopt);
   const auto node_of = [&](std::string_view name) {
     const Node* node = graph.find(name);
     return node ? node->id : NodeId();
   };
-  std::vector<NodeLinks> links;
   const WarnLine warn = [&](int, const std::string& message) { warnings.push_back(message); };
-  for (const NodeId id : nodes) {
-    const Node& old = *graph.find(id);
-    const std::vector<std::string> texts = node_lines(graph, old);
-    const std::vector<SceneLine> lines = lines_of(texts);
-    NodeText text =
-        reader.read(old.name, lines, warn, [&](int, const std::string& message) { warn(0, message); });
-    Node node = std::move(text.node);
-    node.id = old.id;
-    node.parent = old.parent;
-    editor.replace_node(std::move(node));
-    links.push_back(std::move(text.links));
+  // All of them or none: a scene has one version of a type.
+  std::vector<NodeText> read;
+  try {
+    for (const NodeId id : nodes) {
+      const Node& old = *graph.find(id);
+      const std::vector<std::string> texts = node_lines(graph, old);
+      read.push_back(reader.read(old.name, lines_of(texts), warn,
+                                 [&](int, const std::string& message) { warn(0, message); }));
+      read.back().node.id = id;
+    }
+  } catch (const MigrationError& error) {
+    return {error.what()};
   }
-  for (std::size_t i = 0; i < nodes.size(); ++i) finish_node(editor, nodes[i], links[i], node_of, warn);
+  editor.set_kept_type(type->name(), reader.keeps_anything() ? std::optional(reader.kept()) : std::nullopt);
+  for (const NodeId id : nodes) leave_hierarchy(editor, id, type->spec(), warnings);
+  for (NodeText& text : read) {
+    text.node.parent = graph.find(text.node.id)->parent;
+    editor.replace_node(std::move(text.node));
+  }
+  for (std::size_t i = 0; i < nodes.size(); ++i) finish_node(editor, nodes[i], read[i].links, node_of, warn);
   // Others that were waiting for one of these.
   for (const Node* node : graph.nodes()) {
     if (node->type->is_unknown()) continue;

@@ -21,6 +21,7 @@ struct StoredAttribute {
 using StoredAttributes = std::vector<StoredAttribute>;
 
 /// Rewrites attributes that a scene of the type's version `from` holds into those of version `from + 1`.
+/// Throws where it cannot: the nodes of the type then stay as they stand in the scene.
 struct Migrator {
   int from = 1;
   std::function<void(StoredAttributes& attributes)> migrate;

@@ -96,6 +96,9 @@ typedef struct PlinianMigrate {
   const char* (*text)(PlinianMigration*, const char* path); /* null: not there; good until the next call */
   void (*set)(PlinianMigration*, const char* path, const char* text);
   void (*remove)(PlinianMigration*, const char* path);
+  /* Since 1.3. Says why the node cannot be migrated: it and the others of its type stay as they stand in the
+   * scene, until a plug-in is loaded that can. */
+  void (*fail)(PlinianMigration*, const char* message);
 } PlinianMigrate;
 
 typedef struct PlinianNodeType {

@@ -84,7 +84,8 @@ struct NodeType {
   std::optional<AnyDraw> draw;
   /// What an artist takes hold of in a viewport.
   std::vector<Handle> handles;
-  /// From version `from` to the next one.
+  /// From version `from` to the next one. Throws where it cannot: the nodes then stay as they stand in the
+  /// scene, and come alive with a plug-in that can.
   std::function<void(int from, Migration&)> migrate;
 
  private:
@@ -190,7 +191,7 @@ inline int register_type(const PlinianHost& host, NodeType& type) {
             Migration wrapped(*table, migration);
             static_cast<NodeType*>(user)->migrate(from, wrapped);
           },
-          [](const char*) {});
+          [&](const char* message) { table->fail(migration, message); });
     };
   return host.register_node_type(host.self, &plain);
 }

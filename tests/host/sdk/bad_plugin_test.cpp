@@ -31,7 +31,7 @@ TEST(BadPlugin, WhatCannotBeUsedIsRefusedAsAWhole) {
   EXPECT_EQ(
       s.refusal(described("plain", "name plain\nversion 1\nabi 2.0\n")),
       own / "plain.so" + std::string(": was built for version 2.0 of the plug-in interface, this program has "
-                                     "1.2: it needs a newer Plinian"));
+                                     "1.3: it needs a newer Plinian"));
   EXPECT_EQ(s.refusal(described("no_symbols", "name none\nversion 1\nabi 1.0\n")),
             own / "no_symbols.so" + std::string(": lacks the function plinian_initialise"));
   EXPECT_EQ(s.refusal(described("throws_through", "name through\nversion 1\nabi 1.0\n")),

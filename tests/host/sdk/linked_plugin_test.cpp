@@ -15,7 +15,7 @@ TEST(LinkedPlugin, SeveralLiveInOneProgramAndScenesDoNotAskForThem) {
                   "getAttr a.out\ngetAttr b.out"),
             "a\nb\n2\n6");
   EXPECT_EQ(write_scene(s.session.graph()).find("requires"), std::string::npos);
-  EXPECT_NE(s.run("pluginInfo linked_one").find("linked_one 1.2, A. Artist, interface 1.2, registers "),
+  EXPECT_NE(s.run("pluginInfo linked_one").find("linked_one 1.2, A. Artist, interface 1.3, registers "),
             std::string::npos);
   EXPECT_NE(s.run("pluginInfo").find("nodes 0.1.0, Plinian, "), std::string::npos);
 }

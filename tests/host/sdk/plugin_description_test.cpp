@@ -22,7 +22,7 @@ TEST(PluginDescription, IsReadFromTheLibraryWithoutLoadingIt) {
   EXPECT_EQ(wobble.version, "1.2");
   EXPECT_EQ(wobble.vendor, "A. Artist");
   EXPECT_EQ(wobble.abi_major, 1);
-  EXPECT_EQ(wobble.abi_minor, 2);
+  EXPECT_EQ(wobble.abi_minor, 3);
   EXPECT_EQ(wobble.registers,
             (std::vector<std::string>{"node:wobble", "node:wobbleTotal", "command:wobbleAll"}));
 }
@@ -72,12 +72,12 @@ TEST(PluginDescription, AnotherMajorOrANewerMinorVersionIsRefused) {
   };
   EXPECT_EQ(problem(1, 0), "");
   EXPECT_EQ(problem(0, 9),
-            "was built for version 0.9 of the plug-in interface, this program has 1.2: build it again");
+            "was built for version 0.9 of the plug-in interface, this program has 1.3: build it again");
   EXPECT_EQ(
       problem(2, 0),
-      "was built for version 2.0 of the plug-in interface, this program has 1.2: it needs a newer Plinian");
-  EXPECT_EQ(problem(1, 2), "");
-  EXPECT_NE(problem(1, 3), "");
+      "was built for version 2.0 of the plug-in interface, this program has 1.3: it needs a newer Plinian");
+  EXPECT_EQ(problem(1, 3), "");
+  EXPECT_NE(problem(1, 4), "");
 }
 
 TEST(PluginDescription, WhatIsNoLibraryOrADamagedOneCostsALine) {

@@ -25,7 +25,7 @@ TEST(PluginManager, LoadsByNameAndRunsWhatItBrings) {
   s.run("setAttr w.label fail");
   EXPECT_EQ(message_of([&] { s.session.execute("getAttr w.out"); }), "w.out: the label says so");
   EXPECT_NE(s.run("pluginInfo")
-                .find("wobble 1.2, A. Artist, interface 1.2, registers node:wobble node:wobbleTotal "
+                .find("wobble 1.2, A. Artist, interface 1.3, registers node:wobble node:wobbleTotal "
                       "command:wobbleAll, "),
             std::string::npos);
 }

@@ -65,7 +65,12 @@ void initialise(Plugin& plugin) {
   };
   wobble.migrate = [](int, Migration& migration) {
     if (const auto half = migration.text("half")) {
+#ifdef WOBBLE_MENDED
+      migration.set("amount", *half == "many" ? "77" : std::to_string(2.0 * std::stod(*half)));
+#else
+      if (*half == "many") throw Error("half of many is not known");
       migration.set("amount", std::to_string(2.0 * std::stod(*half)));
+#endif
       migration.remove("half");
     }
   };

@@ -1,0 +1,92 @@
+// Older scenes, and plug-ins that cannot migrate them.
+#include <fstream>
+
+#include "host/graph/files/scene_reader.h"
+#include "tests/core/scene/temporary_folder.h"
+#include "tests/host/sdk/plugin_session.h"
+
+namespace plinian::sdk {
+namespace {
+
+// Of version 1 of the type, when half the amount was stored.
+std::string old_scene(const std::string& half) {
+  return R"(plinian scene 1.0
+requires wobble 1.2
+node wobble good
+  .half 3
+node wobble bad
+  .half )" +
+         half + R"(
+  .label "as  it was"
+  .more[2] 1
+node wobbleTotal total
+  .source <- bad.numbers
+type wobble 1 from wobble 1.1
+  .half 0.5
+  .label "two words"
+type wobbleTotal 1 from wobble 1.2
+end
+)";
+}
+
+struct MigrationSession : PluginSession {
+  const TemporaryFolder own;
+  const std::string file = own / "old.plinian", again = own / "again.plinian";
+  std::vector<std::string> warnings;
+  MigrationSession() {
+    session.on_warning = [this](const std::string& line) { warnings.push_back(line); };
+    std::ofstream(file) << old_scene("many");
+  }
+  std::string saved() {
+    run("save \"" + again + "\"");
+    return graph::read_text_file(again);
+  }
+};
+
+constexpr const char* why =
+    "bad cannot be migrated from version 1 of the type 'wobble': half of many is not known; nodes of the "
+    "type "
+    "are kept as they are: load a plug-in that can migrate them";
+
+TEST(Migration, NodesThatCannotBeMigratedAreKeptWordForWordAndComeAliveWithAMendedPlugin) {
+  MigrationSession s;
+  s.run("open \"" + s.file + "\"");
+  EXPECT_EQ(s.warnings, std::vector<std::string>{s.file + ": " + why});
+  EXPECT_TRUE(s.session.graph().get("bad").type->is_unknown());
+  EXPECT_EQ(s.saved(), old_scene("many"));
+  s.run("unloadPlugin -force wobble\nloadPlugin " PLINIAN_TEST_PLUGINS "/wobble_mended.so");
+  EXPECT_EQ(s.run("getAttr bad.amount\ngetAttr good.amount\ngetAttr bad.label\ngetAttr total.out"),
+            "77\n6\n\"as  it was\"\n82");
+  EXPECT_NE(s.saved().find("type wobble 2 from wobble 1.2\n"), std::string::npos);
+}
+
+TEST(Migration, OneThatIsLoadedLaterAndCannotMigrateLeavesTheNodesAsTheyAre) {
+  MigrationSession s;
+  const auto requires_none = s.session.on_requires;
+  s.session.on_requires = nullptr;
+  s.run("open \"" + s.file + "\"");
+  s.warnings.clear();
+  s.run("loadPlugin wobble");
+  EXPECT_EQ(s.warnings, std::vector<std::string>{why});
+  EXPECT_EQ(s.saved(), old_scene("many"));
+  s.session.on_requires = requires_none;
+}
+
+TEST(Migration, ASceneHasOneVersionOfAType) {
+  MigrationSession s;
+  s.run("open \"" + s.file + "\"");
+  EXPECT_EQ(
+      s.refusal("createNode wobble"),
+      "there can be no new wobble beside good, which is of version 1 of the type: load a plug-in that can "
+      "migrate it, or delete it first");
+  EXPECT_EQ(s.saved(), old_scene("many"));
+  s.run("delete good bad\ncreateNode wobble -name new");
+  EXPECT_EQ(s.saved().find(".half"), std::string::npos);
+  EXPECT_EQ(s.refusal("import \"" + s.file + "\""),
+            s.file + ": " + why + ", or delete new and its like first");
+  std::ofstream(s.file) << old_scene("8");
+  EXPECT_EQ(s.run("import \"" + s.file + "\"\ngetAttr bad.amount"), "good\nbad\ntotal1\n16");
+}
+
+}  // namespace
+}  // namespace plinian::sdk
