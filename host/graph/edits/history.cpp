@@ -5,7 +5,9 @@
 #include <cassert>
 #include <exception>
 #include <iterator>
+#include <utility>
 
+#include "host/graph/edits/footprint.h"
 #include "host/graph/edits/sleep.h"
 #include "host/graph/graph_error.h"
 #include "host/graph/model/graph.h"
@@ -126,19 +128,43 @@ bool History::take_back_form(const std::string& reason) {
   return true;
 }
 
+// Of one list, whose next step is at its end.
+std::size_t History::forget(std::deque<Step>& steps, const std::function<bool(const Edit&)>& lost) {
+  FootprintReader reader(graph_);
+  Footprint forgotten;
+  std::deque<Step> kept;
+  std::uint64_t state = 0;  // number of what an undo now leads to, with what stays done
+  for (std::size_t i = steps.size(); i-- > 0;) {
+    Step& step = steps[i];
+    const std::vector<NodeId> selection = reader.selection();
+    const Footprint own = reader.read(step.inverses);
+    const bool any_gone = kept.size() + i + 1 < steps.size();
+    if (std::any_of(step.inverses.begin(), step.inverses.end(), lost) ||
+        (any_gone && own.depends_on(forgotten))) {
+      if (!any_gone) state = step.state;
+      forgotten.add(own);
+      continue;
+    }
+    if (any_gone) {
+      // What was selected then, without what only the forgotten steps account for.
+      step.inverses.push_back(SetSelection{selection});
+      for (Edit& edit : step.inverses)
+        if (auto* selected = std::get_if<SetSelection>(&edit))
+          std::erase_if(selected->nodes, [&](NodeId id) { return forgotten.nodes.contains(id); });
+      step.state = &steps == &undo_ ? std::exchange(state, ++last_state_) : ++last_state_;
+    }
+    kept.push_front(std::move(step));
+  }
+  const std::size_t count = steps.size() - kept.size();
+  if (&steps == &undo_ && count > 0) first_state_ = state;
+  steps = std::move(kept);
+  return count;
+}
+
 std::size_t History::forget_steps_where(const std::function<bool(const Edit&)>& lost) {
-  const auto is_lost = [&](const Step& step) {
-    return std::any_of(step.inverses.begin(), step.inverses.end(), lost);
-  };
-  // The oldest are in front of either list.
-  const auto forget = [&](std::deque<Step>& steps) {
-    const auto last = std::find_if(steps.rbegin(), steps.rend(), is_lost).base();
-    const auto count = std::size_t(last - steps.begin());
-    if (&steps == &undo_ && count > 0) first_state_ = undo_[count - 1].state;
-    steps.erase(steps.begin(), last);
-    return count;
-  };
-  return forget(undo_) + forget(redo_);
+  const std::size_t count = forget(undo_, lost) + forget(redo_, lost);
+  if (count > 0) can_merge_ = false;
+  return count;
 }
 
 void History::rewrite(const std::function<void(Edit&)>& rewrite_edit) {

@@ -81,7 +81,9 @@ class History {
   void clear();
   /// ... and leaves it at that whether the scene was modified.
   void forget_steps();
-  /// Forgets the steps that have such an edit, and those that are reached through them. Returns how many.
+  /// Forgets the steps that have such an edit, and of those that are reached through them the ones that
+  /// depend on them: that touch the same nodes, names or connections. What the forgotten ones did stays done;
+  /// all others can be undone and done again as before. Returns how many.
   std::size_t forget_steps_where(const std::function<bool(const Edit&)>& lost);
   /// Where the last step is such a change of form for that reason, takes it back for good.
   bool take_back_form(const std::string& reason);
@@ -103,6 +105,7 @@ class History {
   };
   std::uint64_t state() const { return undo_.empty() ? first_state_ : undo_.back().state; }
   void commit();
+  std::size_t forget(std::deque<Step>& steps, const std::function<bool(const Edit&)>& lost);
   void repeat(std::deque<Step>& from, std::deque<Step>& to);
   std::vector<Edit> play_back(std::vector<Edit>& inverses, std::size_t begin);
 

@@ -16,11 +16,12 @@ std::string sleeping_part(const Edit& edit);
 
 /// Nodes of the type that steps hold lose its code; values of the data type become bytes.
 void put_to_sleep(History& history, const NodeTypePtr& type);
-/// Forgets the steps whose data cannot be written, and returns how many.
+/// Forgets the steps whose data cannot be written, as forget_steps_where() does, and returns how many.
 std::size_t put_to_sleep(History& history, const DataType& type);
 
 /// Gives the nodes and values of steps back what a plug-in registers again. Steps that do not fit it any
-/// more, since its attributes are others or its data cannot be read, are forgotten; returns how many.
+/// more, since its attributes are others or its data cannot be read, are forgotten likewise; returns how
+/// many.
 std::size_t wake(History& history, const NodeTypePtr& type);
 std::size_t wake(History& history, const DataType& type);
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <filesystem>
 #include <random>
+#include <set>
 
 #include "host/graph/files/scene_writer.h"
 #include "host/sdk/plugin_manager.h"
@@ -158,13 +159,60 @@ TEST(UnloadHistory, DataThatCannotBeWrittenTakeTheirStepsWithThemAloud) {
   EXPECT_EQ(s.run("undo 9"), "createNode transform");
 }
 
+// Steps that have nothing to do with the plug-in stay, from before it went, too.
+TEST(UnloadHistory, StepsThatTouchNothingOfTheForgottenOnesAreStillUndone) {
+  PluginSession s;
+  std::vector<std::string> warnings;
+  s.session.on_warning = [&](const std::string& line) { warnings.push_back(line); };
+  s.run(
+      "createNode transform -name a\ncreateNode transform -name b\nsetAttr a.translate.x 3\nloadPlugin "
+      "wobble\n"
+      "createNode wobble -name w\nrename b c\nsetAttr w.amount 4\nconnectAttr w.out a.translate.y\n"
+      "createNode transform -name b\nsetAttr c.translate.x 7\ncreateNode transform -name d -parent c\n"
+      "unloadPlugin -force wobble\nsetAttr c.translate.y 8\n"
+      "loadPlugin " PLINIAN_TEST_PLUGINS "/wobble_changed.so");
+  // The node that the plug-in's drives is touched by that, and so are the steps that made it.
+  EXPECT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings.at(0).find("6 steps of undo cannot be had any more"), 0u) << warnings.at(0);
+  const std::string last = scene_of(s);
+  EXPECT_EQ(s.run("undo 99"),
+            "loadPlugin wobble\nsetAttr c.translate.y 8\ncreateNode -name d -parent c transform\n"
+            "setAttr c.translate.x 7\ncreateNode -name b transform\nrename b c\n"
+            "createNode -name b transform");
+  EXPECT_EQ(s.run("ls"), "time1\na\nw");
+  EXPECT_TRUE(s.session.history().is_modified());
+  s.run("redo 99");
+  EXPECT_EQ(scene_of(s), last);
+}
+
+// Nothing refers to what is not there, whatever was forgotten.
+void expect_whole(const graph::Graph& graph) {
+  std::set<std::string> names;
+  for (const graph::Node* node : graph.nodes()) {
+    EXPECT_TRUE(names.insert(node->name).second) << node->name;
+    EXPECT_EQ(graph.find(node->name), node);
+    EXPECT_TRUE(!node->parent || graph.find(node->parent)) << node->name;
+    for (const graph::Input& input : node->inputs) {
+      const graph::Plug end{node->id, input.attribute, input.element, input.component};
+      EXPECT_TRUE(graph.find(input.source.node)) << node->name;
+      EXPECT_TRUE(graph.outgoing(input.source.node).contains({input.source, end})) << node->name;
+    }
+    std::size_t above = 0;
+    for (graph::NodeId at = node->parent; at && above <= graph.size(); at = graph.find(at)->parent) ++above;
+    EXPECT_LE(above, graph.size()) << node->name << " is under itself";
+  }
+  for (const graph::NodeId id : graph.selection()) EXPECT_TRUE(graph.find(id));
+}
+
 // Whatever is done, with the plug-in coming and going, all of it can be undone and done again.
 TEST(UnloadHistory, RandomCommandsAreUndoneToTheStartAcrossUnloading) {
   std::mt19937 random(7);
   const auto pick = [&](int count) { return int(random() % unsigned(count)); };
-  for (int round = 0; round < 8; ++round) {
+  std::size_t kept = 0;
+  for (int round = 0; round < 16; ++round) {
     PluginSession s;
     bool loaded = false;
+    const bool changes = round % 2;  // in the end another build of the plug-in is loaded
     const std::string first = scene_of(s);
     const auto any = [&] {
       const auto nodes = s.session.graph().nodes();
@@ -173,7 +221,7 @@ TEST(UnloadHistory, RandomCommandsAreUndoneToTheStartAcrossUnloading) {
     int done = 0;
     for (int i = 0; i < 400; ++i) {
       std::string line;
-      switch (pick(12)) {
+      switch (pick(14)) {
         case 0:
           line = "createNode wobble";
           break;
@@ -207,6 +255,12 @@ TEST(UnloadHistory, RandomCommandsAreUndoneToTheStartAcrossUnloading) {
         case 10:
           line = "addAttr " + any() + " extra";
           break;
+        case 11:
+          line = "parent " + any() + " " + any();
+          break;
+        case 12:
+          line = "select " + any() + " " + any();
+          break;
         default:
           if (pick(3)) continue;
           line = loaded ? "unloadPlugin -force wobble" : "loadPlugin wobble";
@@ -221,13 +275,25 @@ TEST(UnloadHistory, RandomCommandsAreUndoneToTheStartAcrossUnloading) {
       }
     }
     EXPECT_GT(done, 100);
-    if (!loaded) s.run("loadPlugin wobble");
+    if (changes) {
+      if (loaded) s.run("unloadPlugin -force wobble");
+      s.run("createNode transform\nloadPlugin " PLINIAN_TEST_PLUGINS "/wobble_changed.so");
+    } else if (!loaded) {
+      s.run("loadPlugin wobble");
+    }
     const std::string last = scene_of(s);
-    while (!s.session.history().undo_names().empty()) s.session.history().undo();
-    EXPECT_EQ(scene_of(s), first);
-    while (!s.session.history().redo_names().empty()) s.session.history().redo();
+    const std::size_t steps = s.session.history().undo_names().size();
+    if (changes) kept += steps;
+    for (std::size_t i = 0; i < steps; ++i) {
+      s.session.history().undo();
+      expect_whole(s.session.graph());
+    }
+    EXPECT_TRUE(changes || scene_of(s) == first) << scene_of(s);
+    for (std::size_t i = 0; i < steps; ++i) s.session.history().redo();
     EXPECT_EQ(scene_of(s), last);
+    expect_whole(s.session.graph());
   }
+  EXPECT_GT(kept, 8u * 10u);
 }
 
 }  // namespace
