@@ -49,15 +49,15 @@ std::string why_empty(const Frame& frame, const SceneSnapshot& snapshot) {
   };
   const auto shines = [](vec3 v) { return v.x > 0.0f || v.y > 0.0f || v.z > 0.0f; };
   if (!any(frame.transmittance, [](vec3 t) { return t.x + t.y + t.z < 2.997f; }))
-    return "no medium is in view: without camera.eye, camera.translate and camera.rotate the camera shows "
-           "everything";
+    return "no medium is in view: the command frameView in a scene, or no camera.eye, camera.translate and "
+           "camera.rotate where it has no camera, shows everything";
   const bool lit = any(frame.ambient, shines) || any(frame.emission, shines) ||
                    std::any_of(frame.lights.begin(), frame.lights.end(),
                                [&](const LightLayer& light) { return any(light.radiance, shines); });
   if (lit) return "";
   return snapshot.lights.empty()
-             ? "nothing lights the medium: a scene without \"lights\" gets a key and a rim, an empty list "
-               "none"
+             ? "nothing lights the medium: make a light, or make one visible; where default_lights of the "
+               "settings is on, or a .json has no list of lights, a key and a rim stand in for them"
              : "no light reaches what is in view: see the exposure, falloff and place of the lights";
 }
 

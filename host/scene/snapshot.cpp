@@ -12,6 +12,7 @@
 #include "host/graph/graph_error.h"
 #include "host/graph/model/conversion.h"
 #include "host/scene/placed.h"
+#include "host/sdk/abi/scene.h"
 #include "host/sdk/contribution.h"
 
 namespace plinian::scene {
@@ -54,6 +55,17 @@ Camera placed_camera(Camera camera, const dmat4& world) {
   return camera;
 }
 
+// Whether nodes of the type are shown or isolated away as a whole, so that those that are not are not
+// computed.
+bool takes_medium(const graph::NodeType& type) {
+  const graph::Schema& schema = *type.schema();
+  for (const graph::AttributeIndex index : schema.top())
+    if (const graph::AttributeSpec& spec = schema[index].spec;
+        !spec.output && (spec.data_type == PLINIAN_VOLUME_TYPE || spec.data_type == PLINIAN_MEDIUM_TYPE))
+      return true;
+  return false;
+}
+
 bool has_light_node(const graph::Graph& graph) {
   for (const Node* node : graph.nodes())
     for (const char* light : {"directionalLight", "spotLight", "pointLight", "ambientLight"})
@@ -87,7 +99,8 @@ std::vector<Plug> contributing_plugs(graph::Session& session, const SceneView& v
     const graph::AttributeIndex output = sdk::contribution_of(*node->type);
     if (output == graph::no_attribute) continue;
     // A camera is looked through whether it is seen or not.
-    if (node->id == view.camera || node->type->name() == "camera" || placed.is_shown(node->id, view.isolated))
+    if (node->id == view.camera || node->type->name() == "camera" ||
+        placed.is_shown(node->id, takes_medium(*node->type) ? view.isolated : std::set<NodeId>()))
       plugs.push_back({node->id, output});
   }
   return plugs;
@@ -173,19 +186,19 @@ BuiltSnapshot build_snapshot(graph::Session& session, const SceneView& view) {
     }
     const sdk::ShapeContributionPtr shape = sdk::contribution_in(result->value);
     const dmat4 world = placed.world_matrix(node.id);
-    const bool shown = placed.is_shown(node.id, view.isolated);
     if (!shape->cameras.empty() && (wanted_camera ? node.id == wanted_camera : !has_camera)) {
       snapshot.camera = placed_camera(shape->cameras.front().camera, world);
       has_camera = true;
     }
-    if (!shown) continue;
+    if (!placed.is_shown(node.id, {})) continue;
+    for (const Light& light : shape->lights) snapshot.lights.push_back(placed_light(light, node.name, world));
+    snapshot.ambient += shape->ambient;
+    if (!placed.is_shown(node.id, view.isolated)) continue;
     for (Medium medium : shape->media) {
       medium.name = joined(node.name, medium.name);
       medium.world_from_medium = world * medium.world_from_medium;
       snapshot.media.push_back(std::move(medium));
     }
-    for (const Light& light : shape->lights) snapshot.lights.push_back(placed_light(light, node.name, world));
-    snapshot.ambient += shape->ambient;
   }
   const Node* settings = first_of_type(graph, "renderSettings");
   if (settings) {

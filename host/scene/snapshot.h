@@ -15,10 +15,12 @@ namespace plinian::scene {
 
 /// How a scene is looked at: no part of the scene, and nothing that undo knows of.
 struct SceneView {
-  graph::NodeId camera;              // 0: the one that renderSettings names, else the first there is
-  std::string quality = "fast";      // the set of renderSettings that is on: fast or high
-  std::set<graph::NodeId> isolated;  // where not empty, only these, what is above and what is under them
-  std::optional<ivec2> size;         // [pixels]; empty: as renderSettings says
+  graph::NodeId camera;          // 0: the one that renderSettings names, else the first there is
+  std::string quality = "fast";  // the set of renderSettings that is on: fast or high
+  // Where not empty, of what takes up light only these, what is above and what is under them. Lights and
+  // cameras stay, but for those of shapes that take a volume or a medium.
+  std::set<graph::NodeId> isolated;
+  std::optional<ivec2> size;  // [pixels]; empty: as renderSettings says
 };
 
 struct BuiltSnapshot {

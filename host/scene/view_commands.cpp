@@ -107,11 +107,13 @@ void add_view_commands(Workspace& workspace) {
                "of it.",
        .parameters = {{"set", text, "fast or high; else stays", true}},
        .run = [&workspace](Session&, const Arguments& a) { return quality(workspace, a); }});
-  commands.add({.name = "isolate",
-                .help = "Shows only these nodes, what is above and what is under them; no edit.",
-                .parameters = {{"nodes", node, "names or patterns; else the selection", true, true}},
-                .flags = {{"off", "shows everything again", {}}},
-                .run = [&workspace](Session&, const Arguments& a) { return isolate(workspace, a); }});
+  commands.add(
+      {.name = "isolate",
+       .help = "Shows only these nodes, what is above and what is under them, in the light of the scene; "
+               "no edit.",
+       .parameters = {{"nodes", node, "names or patterns; else the selection", true, true}},
+       .flags = {{"off", "shows everything again", {}}},
+       .run = [&workspace](Session&, const Arguments& a) { return isolate(workspace, a); }});
   commands.add({.name = "frameView",
                 .help = "Moves the camera to where everything is in the picture, and answers with its name.",
                 .parameters = {{"nodes", node, "only these have to be in it", true, true}},

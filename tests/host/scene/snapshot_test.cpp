@@ -55,7 +55,21 @@ TEST(Snapshot, WhatIsHiddenOrNotIsolatedIsNotInIt) {
   w.view().isolated = {w.session().graph().get("t").id};
   EXPECT_EQ(w.snapshot().media.size(), 1u);
   EXPECT_EQ(w.snapshot().media[0].name, "a");
-  EXPECT_TRUE(w.snapshot().lights.empty());
+  ASSERT_EQ(w.snapshot().lights.size(), 1u) << "it is shown in the light of the scene";
+  EXPECT_EQ(w.snapshot().lights[0].name, "p");
+  EXPECT_EQ(w.snapshot().ambient, vec3(0.0f)) << "but not in what is hidden";
+  w.run("setAttr sky.visibility true");
+  EXPECT_EQ(w.snapshot().ambient, vec3(0.5f));
+}
+
+TEST(Snapshot, WhatIsIsolatedAwayIsNotComputed) {
+  TestWorkspace w;
+  w.run(
+      "createNode atfmVolume -name a\nsetAttr a.draw box\ncreateNode volumeNoise -name n\n"
+      "createNode atfmVolume -name b\nconnectAttr n.volume b.volume\ncreateNode camera -name c");
+  w.view().isolated = {w.session().graph().get("a").id};
+  EXPECT_EQ(w.snapshot().media.size(), 1u);
+  EXPECT_TRUE(w.session().evaluator().is_dirty(w.session().graph().plug("n.volume")));
 }
 
 TEST(Snapshot, ADrivenVisibilityAndPlaceAreSeenAsTheyAreNow) {
