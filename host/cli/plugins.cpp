@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -131,14 +132,30 @@ int describe_type(graph::Session& session, const std::string& name) {
     describe_attribute(*type->schema(), index, text);
   print(text);
   return exit_success;
+// What is asked for may be of a plug-in that is found but not loaded.
+void load_bringer(scene::Workspace& workspace, const std::string& what) {
+  const auto found = workspace.plugins().search().find_bringer(what, [&](const std::string& name) {
+    const auto loaded = workspace.plugins().plugins();
+    return std::any_of(loaded.begin(), loaded.end(),
+                       [&](const auto& plugin) { return plugin.description.name == name; });
+  });
+  if (found) workspace.plugins().load(found->load);
+}
+
 }
 
 int run_plugins(const PluginsArguments& arguments) {
   scene::Workspace workspace;
   add_render_command(workspace);
   graph::Session& session = workspace.session();
-  if (!arguments.type.empty()) return describe_type(session, arguments.type);
+  if (!arguments.type.empty()) {
+    if (!session.types().find(arguments.type)) load_bringer(workspace, "node:" + arguments.type);
+    return describe_type(session, arguments.type);
+  }
   if (arguments.types) return list_types(session);
+  const std::vector<std::string> known = session.commands().names();
+  if (!arguments.command.empty() && std::find(known.begin(), known.end(), arguments.command) == known.end())
+    load_bringer(workspace, "command:" + arguments.command);
   const bool commands = arguments.commands || !arguments.command.empty();
   if (!commands) return list_plugins(plugins_of(workspace.plugins()), workspace.plugins(), arguments.json);
   for (const std::string& line : session.execute("help " + arguments.command)) print(line + "\n");

@@ -28,8 +28,8 @@ PluginSearch::PluginSearch(const std::vector<fs::path>& folders) {
   folders_.insert(folders_.end(), folders.begin(), folders.end());
 }
 
-std::string PluginSearch::hint_at(const std::string& what,
-                                  const std::function<bool(const std::string&)>& is_loaded) const {
+std::optional<PluginSearch::Bringer> PluginSearch::find_bringer(
+    const std::string& what, const std::function<bool(const std::string&)>& is_loaded) const {
   for (const fs::path& folder : folders_) {
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(folder, error)) {
@@ -43,13 +43,21 @@ std::string PluginSearch::hint_at(const std::string& what,
           continue;
         std::string name = path.stem().string();
         if (!fs::exists(folder / (name + ".so"), error) || find(name) != path.string()) name = path.string();
-        return ": the plug-in '" + found.name + "' brings it: loadPlugin " + graph::quote_if_needed(name);
+        return Bringer{found.name, name};
       } catch (const GraphError&) {
         // No plug-in.
       }
     }
   }
-  return "";
+  return std::nullopt;
+}
+
+std::string PluginSearch::hint_at(const std::string& what,
+                                  const std::function<bool(const std::string&)>& is_loaded) const {
+  const auto found = find_bringer(what, is_loaded);
+  return found ? ": the plug-in '" + found->plugin + "' brings it: loadPlugin " +
+                     graph::quote_if_needed(found->load)
+               : "";
 }
 
 std::string PluginSearch::find(const std::string& name) const {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,14 @@ class PluginSearch {
   /// The library of a name, as NAME.so or libNAME.so in one of the folders; anything with a '/' is a path.
   /// Throws GraphError where there is none.
   std::string find(const std::string& name) const;
-  /// What to say of something that is unknown ("node:puff", "command:mark"): which plug-in brings it and how
-  /// to load it; empty where none does that is not loaded.
+  /// Who brings something ("node:puff", "command:mark") and is not loaded, or none.
+  struct Bringer {
+    std::string plugin, load;  // its name, and what loadPlugin takes
+  };
+  std::optional<Bringer> find_bringer(const std::string& what,
+                                      const std::function<bool(const std::string& plugin)>& is_loaded) const;
+  /// What to say of something that is unknown likewise: which plug-in brings it and how to load it; empty
+  /// where none does.
   std::string hint_at(const std::string& what,
                       const std::function<bool(const std::string& plugin)>& is_loaded) const;
 
