@@ -192,8 +192,10 @@ TEST(Structure, TheReadmeShowsTheExamplesWholeAndAsTheyAre) {
     return std::regex_replace(text, std::regex("\n\n+"), "\n");
   };
   const fs::path examples = root / "host/sdk/examples";
-  EXPECT_EQ(without_empty_lines(shown["cpp"]), without_empty_lines(text_of(examples / "marker/marker.cpp") +
-                                                                   text_of(examples / "puff/puff.cpp")));
+  std::string sources;
+  for (const char* source : {"marker/marker.cpp", "puff/puff.cpp", "places/places.cpp"})
+    sources += text_of(examples / source);
+  EXPECT_EQ(without_empty_lines(shown["cpp"]), without_empty_lines(sources));
   EXPECT_EQ(shown["cmake"], text_of(examples / "marker/CMakeLists.txt"));
 }
 

@@ -5,6 +5,15 @@ function(run)
   if(NOT code EQUAL 0)
     message(FATAL_ERROR "${ARGV}\nended with ${code}:\n${output}")
   endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+# Builds an example without a warning, neither of the compiler nor of the assembler.
+function(build folder)
+  run(${CMAKE_COMMAND} --build ${folder})
+  if(output MATCHES "[Ww]arning")
+    message(FATAL_ERROR "${folder} is built with warnings:\n${output}")
+  endif()
 endfunction()
 
 file(REMOVE_RECURSE ${WORK})
@@ -20,7 +29,15 @@ run(${WORK}/consumer/consumer)
 # A plug-in, built as anyone's.
 run(${CMAKE_COMMAND} -S ${SOURCE}/tests/install/plugin -B ${WORK}/plugin -G Ninja -DCMAKE_BUILD_TYPE=Release
     -DCMAKE_PREFIX_PATH=${WORK}/prefix)
-run(${CMAKE_COMMAND} --build ${WORK}/plugin)
+build(${WORK}/plugin)
+find_program(clang clang++)
+if(clang)
+  run(${CMAKE_COMMAND} -S ${SOURCE}/tests/install/plugin -B ${WORK}/plugin_clang -G Ninja -DCMAKE_BUILD_TYPE=Release
+      -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_CXX_COMPILER=${clang})
+  build(${WORK}/plugin_clang)
+  file(WRITE ${WORK}/clang.pln "pluginInfo ${WORK}/plugin_clang/outside.so\n")
+  run(${WORK}/prefix/bin/plinian run ${WORK}/clang.pln)
+endif()
 
 # The examples, from the installation and by the lines of its README; they answer what stands there.
 set(examples ${WORK}/prefix/share/plinian/examples)
@@ -44,6 +61,31 @@ endif()
 if(NOT EXISTS ${WORK}/author/puff.png)
   message(FATAL_ERROR "the README's lines made no picture:\n${output}\n${errors}")
 endif()
+if("${output}${errors}" MATCHES "[Ww]arning: setting")
+  message(FATAL_ERROR "the examples are built with warnings:\n${output}\n${errors}")
+endif()
+string(REGEX MATCHALL "\\]\\([^)#]+\\)" links "${readme}")
+foreach(link ${links})
+  string(REGEX REPLACE "\\]\\((.*)\\)" "\\1" link "${link}")
+  if(NOT link MATCHES "://" AND NOT EXISTS ${WORK}/prefix/share/doc/plinian/${link})
+    message(FATAL_ERROR "the README shows ${link}, which is not installed")
+  endif()
+endforeach()
+# A scene of an older version of a type, migrated.
+file(WRITE ${WORK}/old.plinian "plinian scene 1.0
+requires places 1.0
+node spread s
+  .diameter 7
+type spread 1 from places 1.0
+  .diameter 2
+end
+")
+file(WRITE ${WORK}/old.pln "getAttr s.radius\n")
+run(${CMAKE_COMMAND} -E env PLINIAN_PLUGIN_PATH=${WORK}/author/places ${WORK}/prefix/bin/plinian run ${WORK}/old.pln
+    ${WORK}/old.plinian)
+if(NOT output MATCHES "3.5\n")
+  message(FATAL_ERROR "the example's older scene is not migrated:\n${output}")
+endif()
 
 # The tutorial's as it is and with the other strings of the C++ library; a program of the tests loads both.
 run(${CMAKE_COMMAND} -S ${examples}/marker -B ${WORK}/marker_old -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/prefix
@@ -54,7 +96,12 @@ run(${CMAKE_COMMAND} -E env PLINIAN_TUTORIAL=${WORK}/author/marker ${BUILD}/test
 
 # The one that shows every type of attribute.
 run(${CMAKE_COMMAND} -S ${examples}/attributes -B ${WORK}/attributes -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/prefix)
-run(${CMAKE_COMMAND} --build ${WORK}/attributes)
+build(${WORK}/attributes)
+run(${CMAKE_COMMAND} -E env PLINIAN_PLUGIN_PATH=${WORK}/attributes ${WORK}/prefix/bin/plinian run
+    ${examples}/attributes/try.pln)
+if(NOT output MATCHES " 11 .* 0.035 .* 2\"?\n")
+  message(FATAL_ERROR "attributes/try.pln does not answer with what it set:\n${output}")
+endif()
 
 # A shape of its own: it overlaps an atfmVolume, and each shadows the other.
 run(${CMAKE_COMMAND} -E env PLINIAN_SECOND_SHAPE=${WORK}/author/puff ${BUILD}/tests/host/scene/host_scene_test

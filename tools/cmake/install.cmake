@@ -18,6 +18,7 @@ endforeach()
 install(DIRECTORY host/sdk/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/plinian)
 install(DIRECTORY presets DESTINATION ${CMAKE_INSTALL_DATADIR}/plinian)
 install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY tools/figures/pictures DESTINATION ${CMAKE_INSTALL_DOCDIR}/tools/figures)  # that the README shows
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/plinian)
 install(EXPORT plinian-targets NAMESPACE plinian:: DESTINATION ${package})

@@ -46,5 +46,25 @@ TEST(AttributeTypes, AreReadAndSpelledAsTheReadmeSays) {
             "0.5 0.5 0.5\n0.035\nhigh\nfalse");
 }
 
+TEST(AttributeTypes, TheReadmeNamesTheFieldsInTheOrderInWhichTheyAreDeclared) {
+  const std::string readme = text_of(PLINIAN_SOURCE_DIR "/README.md"),
+                    header = text_of(PLINIAN_SOURCE_DIR "/host/sdk/plugin/node.h");
+  const std::string begin = "struct AttributeSpec {\n";
+  const std::size_t at = header.find(begin) + begin.size();
+  const std::string body =
+      std::regex_replace(header.substr(at, header.find("};", at) - at), std::regex("//[^\n]*"), "");
+  std::vector<std::string> declared, named;
+  const std::regex field("(\\w+)(?: = [^,;]+)?[,;]"), quoted("`(\\w+)`");
+  for (std::sregex_iterator match(body.begin(), body.end(), field), none; match != none; ++match)
+    declared.push_back((*match)[1]);
+  const std::size_t fields = readme.find("Fields of an attribute"), end = readme.find("C++ takes", fields);
+  ASSERT_NE(fields, std::string::npos);
+  const std::string sentence = readme.substr(readme.find(':', fields), end - readme.find(':', fields));
+  for (std::sregex_iterator match(sentence.begin(), sentence.end(), quoted), none; match != none; ++match)
+    named.push_back((*match)[1]);
+  EXPECT_EQ(named, declared);
+  EXPECT_EQ(declared.size(), 26u);
+}
+
 }  // namespace
 }  // namespace plinian::sdk
