@@ -98,9 +98,7 @@ void describe_attribute(const graph::Schema& schema, graph::AttributeIndex index
   if (spec.hidden) return;
   std::string line =
       fmt::format("  {:<32} {}{}", attribute.path, graph::type_name(spec.type), spec.array ? "[]" : "");
-  if (spec.type == graph::AttributeType::choice)
-    for (std::size_t i = 0; i < spec.choices.size(); ++i)
-      line += (i == 0 ? ": " : ", ") + spec.choices[i].word;
+  if (spec.type == graph::AttributeType::choice) line += ": " + graph::choices_text(spec);
   if (!spec.unit.empty()) line += " [" + spec.unit + "]";
   const bool has_text = spec.type != graph::AttributeType::compound &&
                         spec.type != graph::AttributeType::data && spec.type != graph::AttributeType::node &&
@@ -132,6 +130,8 @@ int describe_type(graph::Session& session, const std::string& name) {
     describe_attribute(*type->schema(), index, text);
   print(text);
   return exit_success;
+}
+
 // What is asked for may be of a plug-in that is found but not loaded.
 void load_bringer(scene::Workspace& workspace, const std::string& what) {
   const auto found = workspace.plugins().search().find_bringer(what, [&](const std::string& name) {
@@ -140,8 +140,6 @@ void load_bringer(scene::Workspace& workspace, const std::string& what) {
                        [&](const auto& plugin) { return plugin.description.name == name; });
   });
   if (found) workspace.plugins().load(found->load);
-}
-
 }
 
 int run_plugins(const PluginsArguments& arguments) {
@@ -153,11 +151,11 @@ int run_plugins(const PluginsArguments& arguments) {
     return describe_type(session, arguments.type);
   }
   if (arguments.types) return list_types(session);
+  const bool commands = arguments.commands || !arguments.command.empty();
+  if (!commands) return list_plugins(plugins_of(workspace.plugins()), workspace.plugins(), arguments.json);
   const std::vector<std::string> known = session.commands().names();
   if (!arguments.command.empty() && std::find(known.begin(), known.end(), arguments.command) == known.end())
     load_bringer(workspace, "command:" + arguments.command);
-  const bool commands = arguments.commands || !arguments.command.empty();
-  if (!commands) return list_plugins(plugins_of(workspace.plugins()), workspace.plugins(), arguments.json);
   for (const std::string& line : session.execute("help " + arguments.command)) print(line + "\n");
   return exit_success;
 }

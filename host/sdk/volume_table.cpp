@@ -32,11 +32,14 @@ const BrickVolume& volume_of(const DataPtr& data) {
 }
 
 void check_box(const std::int32_t* first, const std::int32_t* count) {
-  for (int i = 0; i < 3; ++i)
-    if (count[i] < 0 || std::abs(std::int64_t(first[i])) > furthest ||
-        std::int64_t(first[i]) + count[i] > furthest)
-      throw GraphError("a box of voxels cannot begin at " + std::to_string(first[i]) + " and have " +
-                       std::to_string(count[i]) + " along a side");
+  for (int i = 0; i < 3; ++i) {
+    if (count[i] < 0)
+      throw GraphError("a box of voxels has " + std::to_string(count[i]) +
+                       " along a side: give it 0 or more");
+    if (std::abs(std::int64_t(first[i])) > furthest || std::int64_t(first[i]) + count[i] > furthest)
+      throw GraphError("a box of voxels reaches further from 0 than " + std::to_string(furthest) +
+                       " voxels: a size of 0, or a number that is not finite, may be behind it");
+  }
 }
 
 ivec3 block_of(ivec3 voxel) {

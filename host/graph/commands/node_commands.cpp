@@ -26,6 +26,8 @@ CommandResult rename(Session& session, const Arguments& arguments) {
 CommandResult duplicate(Session& session, const Arguments& arguments) {
   const auto copies = session.editor().duplicate(nodes_or_selection(session, arguments.texts("nodes")),
                                                  arguments.has("inputs"));
+  if (const std::string name = arguments.text("name"); !name.empty())
+    for (const NodeId copy : copies) session.editor().rename(copy, name);
   session.editor().select(copies);
   return names_of(session.graph(), copies);
 }
@@ -65,7 +67,8 @@ void add_node_commands(CommandRegistry& commands) {
   commands.add({.name = "duplicate",
                 .help = "Copies nodes and what is under them, with the connections among them.",
                 .parameters = {{"nodes", node, "names or patterns; else the selection", true, true}},
-                .flags = {{"inputs", "keep connections from nodes that are not copied", {}}},
+                .flags = {{"name", "what the copies are called; numbers make it unique", text},
+                          {"inputs", "keep connections from nodes that are not copied", {}}},
                 .run = duplicate});
   commands.add({.name = "parent",
                 .help = "Puts nodes under another one in the transform hierarchy.",

@@ -59,7 +59,7 @@ Value fitted_number(const AttributeSpec& spec, const Value& value, bool* clamped
     if (spec.type == AttributeType::choice &&
         std::none_of(spec.choices.begin(), spec.choices.end(),
                      [&](const Choice& choice) { return choice.value == int(result); }))
-      throw GraphError(std::to_string(int(result)) + " is none of its choices");
+      throw GraphError(std::to_string(int(result)) + " is none of " + choices_text(spec));
     return int(result);
   }
   if (spec.type != AttributeType::float1) return result;
@@ -68,6 +68,13 @@ Value fitted_number(const AttributeSpec& spec, const Value& value, bool* clamped
 }
 
 }  // namespace
+
+std::string choices_text(const AttributeSpec& spec) {
+  std::vector<std::string> texts;
+  for (const Choice& choice : spec.choices)
+    texts.push_back(choice.word + " (" + std::to_string(choice.value) + ")");
+  return join(texts);
+}
 
 bool is_identifier(std::string_view word) {
   const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };

@@ -47,6 +47,9 @@ struct AttributeSpec {
   std::vector<std::string> affects;     // outputs whose computation reads this
 };
 
+/// The choices of an enum with their numbers: "off (0), low (10)".
+std::string choices_text(const AttributeSpec& spec);
+
 /// Whether a word may name an attribute or a type: letters, digits and _, not a digit first.
 bool is_identifier(std::string_view word);
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "core/scene/nearest_word.h"
 #include "host/graph/graph_error.h"
@@ -147,7 +148,8 @@ Value read_choice(const AttributeSpec& spec, std::span<const Word> words) {
   if (parse_number(words[0].text, number))
     for (const Choice& choice : spec.choices)
       if (number == choice.value) return number;
-  throw GraphError(shown(words[0].text) + " is none of " + join(known) + did_you_mean(words[0].text, known));
+  throw GraphError(shown(words[0].text) + " is none of " + choices_text(spec) +
+                   did_you_mean(words[0].text, known));
 }
 
 Value read_one_number(const AttributeSpec& spec, std::span<const Word> words) {
@@ -282,14 +284,39 @@ Value read_value(const AttributeSpec& spec, std::span<const Word> words, const N
   }
 }
 
+namespace {
+
+// The end of an open range is the float next to it: 0 for 1e-45. Empty for a closed one.
+std::string open_end(double end, float outside) {
+  const float next = float(end);
+  if (double(next) != end) return "";
+  const std::string beyond = shortest(std::nextafter(next, outside));
+  return beyond.size() + 3 <= shortest(next).size() ? beyond : "";
+}
+
+std::string range_text(const AttributeSpec& spec) {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  const std::string above = spec.minimum ? open_end(*spec.minimum, -infinity) : "",
+                    below = spec.maximum ? open_end(*spec.maximum, infinity) : "";
+  if (spec.minimum && spec.maximum && above.empty() && below.empty())
+    return " from " + shortest(*spec.minimum) + " to " + shortest(*spec.maximum);
+  std::string text;
+  if (spec.minimum) text = above.empty() ? " >= " + shortest(*spec.minimum) : " above " + above;
+  if (!spec.maximum) return text;
+  text += text.empty() ? "" : " and";
+  return text + (below.empty() ? " <= " + shortest(*spec.maximum) : " below " + below);
+}
+
+std::string units_text(AttributeType type) {
+  std::vector<std::string> suffixes;
+  for (const Unit& unit : units_of(type)) suffixes.emplace_back(unit.suffix);
+  return suffixes.empty() ? "" : ", or one with a unit (" + join(suffixes) + ")";
+}
+
+}  // namespace
+
 std::string expectation(const AttributeSpec& spec) {
-  std::string range;
-  if (spec.minimum && spec.maximum)
-    range = " from " + shortest(*spec.minimum) + " to " + shortest(*spec.maximum);
-  else if (spec.minimum)
-    range = " >= " + shortest(*spec.minimum);
-  else if (spec.maximum)
-    range = " <= " + shortest(*spec.maximum);
+  const std::string range = range_text(spec);
   const int count = component_count(spec.type);
   if (count > 0)
     return (spec.type == AttributeType::colour ? "a number or " : "") + std::to_string(count) + " numbers" +
@@ -299,11 +326,8 @@ std::string expectation(const AttributeSpec& spec) {
       return "true or false";
     case AttributeType::integer:
       return "an integer" + range;
-    case AttributeType::choice: {
-      std::vector<std::string> words;
-      for (const Choice& choice : spec.choices) words.push_back(choice.word);
-      return "one of " + join(words);
-    }
+    case AttributeType::choice:
+      return "one of " + choices_text(spec);
     case AttributeType::string:
       return "a text";
     case AttributeType::path:
@@ -319,7 +343,7 @@ std::string expectation(const AttributeSpec& spec) {
     case AttributeType::data:
       return "data of type " + spec.data_type;
     default:
-      return "a number" + range;
+      return "a number" + range + units_text(spec.type);
   }
 }
 

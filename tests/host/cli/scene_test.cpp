@@ -137,7 +137,8 @@ TEST_F(Program, RunsAScriptAndTellsTheLineThatFails) {
   const Ended wrong = run({"run", "wrong.pln", "ball.plinian"});
   EXPECT_EQ(wrong.code, 1);
   EXPECT_EQ(wrong.error_lines(), 1);
-  EXPECT_EQ(wrong.err, "plinian: error: wrong.pln:3: ball.draw 'cube' is none of volume, box, sphere\n");
+  EXPECT_EQ(wrong.err,
+            "plinian: error: wrong.pln:3: ball.draw 'cube' is none of volume (0), box (1), sphere (2)\n");
   EXPECT_EQ(wrong.out, "time1\nball\nsun\n");
   EXPECT_NE(run({"run", "nowhere.pln"}).err.find("nowhere.pln"), std::string::npos);
 }
@@ -245,6 +246,20 @@ TEST_F(Program, ListsPluginsTypesAndCommands) {
   EXPECT_NE(run({"plugins", "--commands"}).out.find("setAttr"), std::string::npos);
   EXPECT_NE(run({"plugins", "--command", "render"}).out.find("renderer"), std::string::npos);
   EXPECT_NE(run({"plugins", "--type", "mediun"}).err.find("(did you mean 'medium'?)"), std::string::npos);
+}
+
+TEST_F(Program, TellsOfTypesAndCommandsOfPluginsThatAreFoundButNotLoaded) {
+  RunOptions options;
+  options.environment = {{"PLINIAN_PLUGIN_PATH", PLINIAN_TEST_PLUGINS},
+                         {"XDG_STATE_HOME", folder_ / "state"}};
+  const Ended type = run({"plugins", "--type", "crash"}, options);
+  EXPECT_EQ(type.code, 0) << type.err;
+  EXPECT_EQ(type.out.find("crash, version 1, of the plug-in crash: \n  how "), 0u) << type.out;
+  const Ended command = run({"plugins", "--command", "crashNow"}, options);
+  EXPECT_EQ(command.code, 0) << command.err;
+  EXPECT_EQ(command.out.find("crashNow\n"), 0u) << command.out;
+  const Ended choices = run({"plugins", "--type", "atfmVolume"});
+  EXPECT_NE(choices.out.find("enum: volume (0), box (1), sphere (2)"), std::string::npos) << choices.out;
 }
 
 TEST_F(Program, TellsWhatIsInAScene) {

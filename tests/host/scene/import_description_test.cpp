@@ -273,6 +273,7 @@ TEST(ImportCommand, AVolumeComesAloneAndANeutralSceneWithAllItHas) {
   EXPECT_EQ(s.lights.size(), 1u);
   EXPECT_EQ(w.run("ls -type renderSettings"), "settings") << "there is one of it";
   EXPECT_EQ(s.media[0].volume, s.media[1].volume) << "the same file is one volume";
+  EXPECT_EQ(w.refusal("import ahs"), "ahs: there is no such file (did you mean 'ash'?)");
   // One step of undo each.
   w.run("undo 3");
   EXPECT_EQ(w.run("ls"), "time1");

@@ -65,6 +65,21 @@ TEST(Contribution, VoxelsThatNoMediumCanHoldCountAsNothingAndAreToldOfOnce) {
   EXPECT_EQ(warnings.size(), 3u) << "it is told again when it is so again";
 }
 
+TEST(Contribution, ABoxOfVoxelsThatCannotBeSaysWhatIsWrongWithIt) {
+  PluginSession s;
+  s.run("loadPlugin cloud\ncreateNode blob -name b");
+  const auto error = [&](const std::string& line) {
+    s.run(line);
+    return s.session.evaluator().evaluate(s.session.graph().plug("b.out"))->error->message;
+  };
+  EXPECT_EQ(
+      error("setAttr b.begin -2147483647"),
+      "a box of voxels reaches further from 0 than 268435456 voxels: a size of 0, or a number that is not "
+      "finite, may be behind it");
+  EXPECT_EQ(error("setAttr b.begin 0\nsetAttr b.side -3"),
+            "a box of voxels has -3 along a side: give it 0 or more");
+}
+
 TEST(Contribution, HoldsWhatTheShapeAddsInItsOwnSpace) {
   CloudSession s;
   s.run("setAttr c.lamp on\nsetAttr c.density 4\nsetAttr c.colour 0.5 0.25 0");

@@ -31,14 +31,14 @@ TEST_F(BadCommand, UnknownThingsComeWithTheNearestWord) {
 TEST_F(BadCommand, ValuesOfTheWrongTypeSayWhatIsExpected) {
   EXPECT_EQ(s.refusal("setAttr e.weight soft"), "e.weight expects a number from 0 to 1, not 'soft'");
   EXPECT_EQ(s.refusal("setAttr e.axis 1 2"), "e.axis expects 3 numbers, not '1 2'");
-  EXPECT_EQ(s.refusal("setAttr e.mode medium"), "e.mode 'medium' is none of off, low, high");
+  EXPECT_EQ(s.refusal("setAttr e.mode medium"), "e.mode 'medium' is none of off (0), low (10), high (30)");
   EXPECT_EQ(s.refusal("setAttr e.target nobody"), "e.target there is no node 'nobody'");
   EXPECT_EQ(s.refusal("setAttr e.volume 3"),
             "e.volume holds data of type 'volume', which have no text form here");
   EXPECT_EQ(s.refusal("currentTime soon"), "currentTime: TIME expects a number, not 'soon'");
   EXPECT_EQ(s.refusal("setKeyframe e.profile"), "e.profile is of type ramp, which has no numbers to animate");
   EXPECT_EQ(s.refusal("setKeyframe e.weight -interpolation bouncy"),
-            "setKeyframe: -interpolation: 'bouncy' is none of stepped, linear, smooth");
+            "setKeyframe: -interpolation: 'bouncy' is none of stepped (0), linear (1), smooth (2)");
 }
 
 TEST_F(BadCommand, WhatIsLockedDrivenOrWouldCloseACycleIsRefused) {

@@ -94,6 +94,8 @@ TEST(Session, DuplicatesParentsRenamesLocksAndAddsAttributes) {
   EXPECT_EQ(s.run("createNode group -name g\ncreateNode shape -name leaf -parent g\nduplicate g"),
             "g\nleaf\ng1");
   EXPECT_EQ(s.run("ls"), "time1\ng\nleaf\ng1\nleaf1");
+  EXPECT_EQ(s.run("duplicate g -name other\nduplicate g leaf -name other\nundo 2"),
+            "other\nother1\nother2\nduplicate -name other g leaf\nduplicate -name other g");
   s.run("parent leaf leaf1 g1");
   EXPECT_EQ(s.graph().find("leaf")->parent, s.graph().get("g1").id);
   s.run("parent -world leaf");

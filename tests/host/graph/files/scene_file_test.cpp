@@ -237,7 +237,7 @@ node sum s
   EXPECT_EQ(
       all(report.warnings),
       "a.pln:3: e.weight is out of its range (a number from 0 to 1) and was set to 1\n"
-      "a.pln:4: e.mode 'medium' is none of off, low, high; the line is kept as it is\n"
+      "a.pln:4: e.mode 'medium' is none of off (0), low (10), high (30); the line is kept as it is\n"
       "a.pln:5: node 'e' (every) has no attribute 'fancy'; the line is kept as it is\n"
       "a.pln:6: e.target: there is no node 'nobody'; the line is kept as it is\n"
       "a.pln:7: e.flag: there is no node for the connection from 'gone.out'; the line is kept as it is\n"

@@ -37,7 +37,7 @@ TEST(Conversion, NumbersRoundClampAndFindTheirChoice) {
   EXPECT_EQ(converted(7.0, {.name = "b", .type = float1, .maximum = 2.0}), Value(2.0f));
   const AttributeSpec mode = {.name = "b", .type = choice, .choices = {{0, "off", ""}, {10, "low", ""}}};
   EXPECT_EQ(converted(9.8, mode), Value(10));
-  EXPECT_EQ(message_of([&] { converted(5.0, mode); }), "5 is none of its choices");
+  EXPECT_EQ(message_of([&] { converted(5.0, mode); }), "5 is none of off (0), low (10)");
   EXPECT_EQ(component_of(vec3(1.0f, 2.0f, 3.0f), 1), Value(2.0f));
   EXPECT_EQ(with_component(vec2(1.0f, 2.0f), 1, 5.0), Value(vec2(1.0f, 5.0f)));
 }

@@ -80,13 +80,31 @@ TEST(ValueText, SaysWhatItExpectsAndWhatItGot) {
   EXPECT_EQ(message_of([] { read(AttributeType::float3, "1 2"); }), "expects 3 numbers, not '1 2'");
   EXPECT_EQ(message_of([] { read(AttributeType::integer, "1.5"); }), "expects an integer, not '1.5'");
   EXPECT_EQ(message_of([] { read(AttributeType::choice, "hihg"); }),
-            "'hihg' is none of off, low, high (did you mean 'high'?)");
-  EXPECT_EQ(message_of([] { read(AttributeType::choice, "20"); }), "'20' is none of off, low, high");
+            "'hihg' is none of off (0), low (10), high (30) (did you mean 'high'?)");
+  EXPECT_EQ(message_of([] { read(AttributeType::choice, "20"); }),
+            "'20' is none of off (0), low (10), high (30)");
   EXPECT_EQ(message_of([] { read(AttributeType::node, "gone"); }), "there is no node 'gone'");
   EXPECT_NE(message_of([] { read(AttributeType::ramp, "1:1:linear 0:1:linear"); }).find("ascending"),
             std::string::npos);
   EXPECT_NE(message_of([] { read(AttributeType::double1, "1e999"); }).find("expects a number"),
             std::string::npos);
+}
+
+TEST(ValueText, ARangeSaysWhichEndsAreOpenAndANumberWhichUnitsItTakes) {
+  const auto range = [](std::optional<double> low, std::optional<double> high) {
+    return expectation({.name = "x", .type = AttributeType::float1, .minimum = low, .maximum = high});
+  };
+  const double above_0 = std::nextafter(0.0f, 1.0f), below_180 = std::nextafter(180.0f, 0.0f);
+  EXPECT_EQ(range(above_0, {}), "a number above 0");
+  EXPECT_EQ(range(above_0, below_180), "a number above 0 and below 180");
+  EXPECT_EQ(range(0.0, below_180), "a number >= 0 and below 180");
+  EXPECT_EQ(range(std::nextafter(-1.0f, 0.0f), 1.0), "a number above -1 and <= 1");
+  EXPECT_EQ(range(0.1, 0.75), "a number from 0.1 to 0.75");
+  EXPECT_EQ(range({}, 1e-30), "a number <= 1e-30");
+  EXPECT_EQ(message_of([] { read(AttributeType::distance, "3 miles"); }),
+            "expects a number, or one with a unit (km, cm, mm, in, ft, m), not '3 miles'");
+  EXPECT_EQ(message_of([] { read(AttributeType::angle, "1turn"); }),
+            "expects a number, or one with a unit (deg, rad), not '1turn'");
 }
 
 TEST(ValueText, AnAttributeClampsWhatIsOutOfItsHardRangeAndRefusesOtherKinds) {
@@ -98,7 +116,8 @@ TEST(ValueText, AnAttributeClampsWhatIsOutOfItsHardRangeAndRefusesOtherKinds) {
   EXPECT_TRUE(clamped);
   EXPECT_EQ(message_of([&] { fitted(spec, std::string("a")); }), "expects a value of type float, not a text");
   EXPECT_EQ(message_of([&] { fitted(spec, NAN); }), "expects a finite number");
-  EXPECT_EQ(message_of([&] { fitted(spec_of(AttributeType::choice), 11); }), "11 is none of its choices");
+  EXPECT_EQ(message_of([&] { fitted(spec_of(AttributeType::choice), 11); }),
+            "11 is none of off (0), low (10), high (30)");
   EXPECT_EQ(message_of([&] { fitted(spec_of(AttributeType::integer), 1.5); }), "expects an integer");
 }
 

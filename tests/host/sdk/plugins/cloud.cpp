@@ -15,6 +15,9 @@ NodeType blob() {
   const Attribute fails = type.add({.name = "fails", .type = "bool", .affects = "out"});
   const Attribute spoiled =
       type.add({.name = "spoiled", .type = "int", .default_value = "-99", .affects = "out"});
+  const Attribute begin =
+      type.add({.name = "begin", .type = "int", .default_value = "-20", .affects = "out"});
+  const Attribute side = type.add({.name = "side", .type = "int", .default_value = "41", .affects = "out"});
   const Attribute out =
       type.add({.name = "out", .type = "data", .data_type = "plinian.volume", .output = true});
   type.compute = [=](Context& context, Attribute) {
@@ -22,8 +25,9 @@ NodeType blob() {
     const bool failing = context.number(fails) != 0.0;
     const double bad_planes = context.number(spoiled);
     VolumeSource source;
-    source.first = {-20, -20, -20};
-    source.count = {41, 41, 41};
+    const auto first = std::int32_t(context.number(begin)), count = std::int32_t(context.number(side));
+    source.first = {first, first, first};
+    source.count = {count, count, count};
     source.object_from_index = scaled(0.5, 1.0, 0.0, 0.0);
     source.temperatures = context.number(hot) != 0.0;
     source.concurrent = true;
