@@ -97,7 +97,7 @@ TEST_P(Tutorial, IsHiddenBehindThePictureAndHitWhereItIsDrawn) {
 TEST_P(Tutorial, SaysWhatItBrings) {
   DrawScene s;
   EXPECT_EQ(s.run("pluginInfo \"" + library(GetParam()) + "\""),
-            "marker 1.0, A. Artist, interface 1.2, registers node:marker command:addMarker, " +
+            "marker 1.0, A. Artist, interface 1.3, registers node:marker command:addMarker, " +
                 library(GetParam()));
   s.run("loadPlugin \"" + library(GetParam()) + "\"");
   ASSERT_EQ(s.plugins.menu().size(), 1u);

@@ -82,7 +82,9 @@ TEST(SecondShape, IsUndoneUnloadedAndComesBack) {
   EXPECT_EQ(w.snapshot().media.size(), 1u);
   w.run("undo");
   EXPECT_EQ(w.snapshot().media.size(), 2u);
-  w.run("unloadPlugin -force puff");
+  w.run("setAttr puff1.visibility off");
+  EXPECT_EQ(w.snapshot().media.size(), 1u) << "every shape can be hidden, whoever declares it";
+  w.run("undo\nunloadPlugin -force puff");
   EXPECT_EQ(w.snapshot().media.size(), 1u) << "an unknown node adds nothing, and keeps its place";
   w.run("loadPlugin \"" + library() + "\"");
   EXPECT_EQ(w.snapshot().media.size(), 2u);
