@@ -247,9 +247,10 @@ void Interface::show_panels() {
   show_menu(studio_);
   ImGui::EndDisabled();
   const ivec2 room = window_.size();
-  const float line = ImGui::GetFrameHeight(), strip = line + scaled(8);
-  const Panes panes =
-      lay_out(sizes_, vec2(room), line, strip, line + scaled(2), scaled(100) / 100.0f, studio_.show_panels);
+  const float line = ImGui::GetFrameHeight(), timeline = line + scaled(8);
+  const Panes panes = lay_out(sizes_, vec2(room), line, timeline, line + scaled(2), scaled(100) / 100.0f,
+                              studio_.show_panels);
+  const float strip = view_strip_height(studio_, panes.picture.size.x);
   PaneRect above = panes.picture, picture = panes.picture;
   above.size.y = strip;
   picture.begin.y += strip;

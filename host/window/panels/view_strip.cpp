@@ -1,12 +1,15 @@
-// Quality, exposure, view transform, layer, camera.
+// Tools, quality, exposure, view transform, layer, camera, what is drawn over the picture, ways to compare.
 #include "host/window/panels/view_strip.h"
 
 #include <imgui.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "host/window/fields/arithmetic.h"
 #include "host/window/hotkeys/actions.h"
+#include "host/window/panels/strip_rows.h"
 #include "host/window/panels/widgets.h"
 #include "host/window/platform/theme.h"
 
@@ -19,10 +22,10 @@ void note_item(Studio& studio, const char* name) {
                     vec2(ImGui::GetItemRectSize().x, ImGui::GetItemRectSize().y));
 }
 
-void show_ways_to_compare(Studio& studio) {
+void show_modes(Studio& studio) {
   Comparison& comparison = studio.comparison;
   const bool is_on = comparison.mode() != CompareMode::off;
-  ImGui::SameLine(0.0f, scaled(14));
+  ImGui::BeginDisabled(!comparison.other);
   ImGui::SetNextItemWidth(scaled(98));
   if (is_on) ImGui::PushStyleColor(ImGuiCol_Text, colour::accent);
   const bool open = ImGui::BeginCombo("##compare", is_on ? name_of(comparison.mode()) : "compare");
@@ -34,29 +37,41 @@ void show_ways_to_compare(Studio& studio) {
       note_item(studio, (std::string("compare ") + name_of(mode)).c_str());
     }
     ImGui::EndCombo();
-  } else {
-    help("How the picture is compared with " + comparison.name + ".");
   }
-  if (comparison.mode() == CompareMode::flicker) {
-    FieldLook look;
-    look.width = scaled(60);
-    look.unit = "/s";
-    NumberRange rate;
-    rate.minimum = 0.0;
-    rate.maximum = 20.0;
-    ImGui::SameLine(0.0f, scaled(2));
-    const FieldEdit edit = number_field("##rate", comparison.flicker_rate, rate, look);
-    help("How often the pictures change places in a second; 0: by hand (X).");
-    if (edit.dragged) comparison.flicker_rate = float(*edit.dragged);
-    if (edit.typed)
-      if (const auto typed = typed_number(*edit.typed, comparison.flicker_rate))
-        comparison.flicker_rate = std::clamp(float(*typed), 0.0f, 20.0f);
-  }
+  ImGui::EndDisabled();
+  if (open) return;
+  help(comparison.other
+           ? "How the picture is compared with " + comparison.name + "."
+           : "There is nothing to compare with: keep a snapshot (" +
+                 text_of(studio.hotkeys.chord(Action::snapshot_picture)) + "), render the reference (" +
+                 text_of(studio.hotkeys.chord(Action::reference)) + ") or load one (" +
+                 text_of(studio.hotkeys.chord(Action::load_reference)) + ").");
+}
+
+void show_flicker_rate(Studio& studio) {
+  Comparison& comparison = studio.comparison;
+  FieldLook look;
+  look.width = scaled(60);
+  look.unit = "/s";
+  NumberRange rate;
+  rate.minimum = 0.0;
+  rate.maximum = 20.0;
+  const FieldEdit edit = number_field("##rate", comparison.flicker_rate, rate, look);
+  help("How often the pictures change places in a second; 0: by hand (X).");
+  if (edit.dragged) comparison.flicker_rate = float(*edit.dragged);
+  if (edit.typed)
+    if (const auto typed = typed_number(*edit.typed, comparison.flicker_rate))
+      comparison.flicker_rate = std::clamp(float(*typed), 0.0f, 20.0f);
+}
+
+bool has_reference_layers(Studio& studio) {
   const ReferenceImage& image = studio.comparison.images.reference;
-  if (comparison.mode() == CompareMode::flicker || comparison.kind != OtherKind::file || !image.picture() ||
-      image.picture()->layers.size() < 2)
-    return;
-  ImGui::SameLine(0.0f, scaled(2));
+  return studio.comparison.other && studio.comparison.kind == OtherKind::file && image.picture() &&
+         image.picture()->layers.size() > 1;
+}
+
+void show_reference_layers(Studio& studio) {
+  const ReferenceImage& image = studio.comparison.images.reference;
   ImGui::SetNextItemWidth(scaled(76));
   const std::string name = image.node() + ".layer";
   const graph::Plug plug = studio.session().graph().plug(name);
@@ -67,11 +82,10 @@ void show_ways_to_compare(Studio& studio) {
         studio.run("setAttr " + name + " " + graph::quote(layer));
     ImGui::EndCombo();
   }
-  help("The layer of " + comparison.name + " that is compared with.");
+  help("The layer of " + studio.comparison.name + " that is compared with.");
 }
 
 void show_what_is_drawn(Studio& studio) {
-  ImGui::SameLine(0.0f, scaled(14));
   if (ImGui::Button("show")) ImGui::OpenPopup("##show");
   note_item(studio, "show");
   help("What is drawn over the picture. Nothing of it is in a picture that is written.");
@@ -89,56 +103,60 @@ void show_what_is_drawn(Studio& studio) {
   ImGui::EndPopup();
 }
 
-// The tools by their keys, as on a keyboard.
+struct ToolButton {
+  Action action;
+  Tool tool;
+  const char *letter, *name, *what;
+};
+constexpr ToolButton tool_buttons[] = {
+    {Action::tool_select, Tool::select, "Q", "tool select", "Select, with nothing to take hold of"},
+    {Action::tool_translate, Tool::translate, "W", "tool translate", "Move what is selected by its arrows"},
+    {Action::tool_rotate, Tool::rotate, "E", "tool rotate", "Turn it by its rings"},
+    {Action::tool_scale, Tool::scale, "R", "tool scale", "Scale it by its boxes"}};
+
+// By their keys, as on a keyboard.
+std::string label_of(const Studio& studio, const ToolButton& button) {
+  const std::string keys = text_of(studio.hotkeys.chord(button.action));
+  return (keys.size() == 1 ? keys : button.letter) + ("##" + std::string(button.name));
+}
+
+float width_of_tools(const Studio& studio) {
+  float width = button_width("world");
+  for (const ToolButton& button : tool_buttons)
+    width += button_width(label_of(studio, button).c_str()) + scaled(1);
+  return width;
+}
+
 void show_tools(Studio& studio) {
-  const auto chord = [&](Action action) { return text_of(studio.hotkeys.chord(action)); };
-  const struct {
-    Action action;
-    Tool tool;
-    const char *letter, *name, *what;
-  } rows[] = {
-      {Action::tool_select, Tool::select, "Q", "tool select", "Select, with nothing to take hold of"},
-      {Action::tool_translate, Tool::translate, "W", "tool translate", "Move what is selected by its arrows"},
-      {Action::tool_rotate, Tool::rotate, "E", "tool rotate", "Turn it by its rings"},
-      {Action::tool_scale, Tool::scale, "R", "tool scale", "Scale it by its boxes"}};
-  for (const auto& row : rows) {
-    const std::string keys = chord(row.action), label = keys.size() == 1 ? keys : row.letter;
-    const std::string what = std::string(row.what) + (keys == "none" ? "." : " (" + keys + ").");
-    if (toggle((label + "##" + row.name).c_str(), studio.tools.tool == row.tool, what.c_str()))
-      act(studio, row.action);
-    note_item(studio, row.name);
+  for (const ToolButton& button : tool_buttons) {
+    const std::string keys = text_of(studio.hotkeys.chord(button.action));
+    const std::string what = std::string(button.what) + (keys == "none" ? "." : " (" + keys + ").");
+    if (toggle(label_of(studio, button).c_str(), studio.tools.tool == button.tool, what.c_str()))
+      act(studio, button.action);
+    note_item(studio, button.name);
     ImGui::SameLine(0.0f, scaled(1));
   }
   const bool moves = studio.tools.tool == Tool::translate || studio.tools.tool == Tool::rotate;
-  if (moves) {
-    const std::string what = "Along the world's axes, or its own (" + chord(Action::axis_space) + ").";
-    const bool local = studio.tools.space() == AxisSpace::local;
-    if (toggle(local ? "own" : "world", false, what.c_str())) act(studio, Action::axis_space);
-    note_item(studio, "axes of the tool");
-    ImGui::SameLine();
-  }
-  ImGui::SameLine(0.0f, scaled(12));
+  const bool local = moves && studio.tools.space() == AxisSpace::local;
+  const std::string what =
+      "Along the world's axes, or its own (" + text_of(studio.hotkeys.chord(Action::axis_space)) + ").";
+  ImGui::BeginDisabled(!moves);
+  if (toggle(local ? "own" : "world", false, what.c_str(), button_width("world")))
+    act(studio, Action::axis_space);
+  ImGui::EndDisabled();
+  note_item(studio, "axes of the tool");
 }
 
-}  // namespace
-
-void show_view_strip(Studio& studio, const PaneRect& pane) {
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(scaled(8), scaled(4)));
-  begin_pane("##strip", pane, false);
-  ImGui::PopStyleVar();
+void show_quality(Studio& studio) {
   const std::string& quality = studio.workspace.view().quality;
-  const auto trace = [&](const char* name) {
-    studio.trace.item(name, vec2(ImGui::GetItemRectMin().x, ImGui::GetItemRectMin().y),
-                      vec2(ImGui::GetItemRectSize().x, ImGui::GetItemRectSize().y));
-  };
-  show_tools(studio);
   if (toggle("fast", quality == "fast", "The quality set fast (1).")) act(studio, Action::quality_fast);
-  trace("fast");
+  note_item(studio, "fast");
   ImGui::SameLine(0.0f, scaled(2));
   if (toggle("high", quality == "high", "The quality set high (2).")) act(studio, Action::quality_high);
-  trace("high");
-  ImGui::SameLine(0.0f, scaled(14));
+  note_item(studio, "high");
+}
 
+void show_exposure(Studio& studio) {
   Development& how = studio.development;
   FieldLook look;
   look.width = scaled(92);
@@ -149,19 +167,21 @@ void show_view_strip(Studio& studio, const PaneRect& pane) {
   stops.soft_minimum = -8.0;
   stops.soft_maximum = 8.0;
   const FieldEdit edit = number_field("##exposure", how.view.exposure, stops, look);
-  trace("exposure");
+  note_item(studio, "exposure");
   help("Exposure of the display. No part of the scene.");
   if (edit.dragged) how.view.exposure = float(*edit.dragged);
   if (edit.typed)
     if (const auto typed = typed_number(*edit.typed, how.view.exposure)) how.view.exposure = float(*typed);
-  if (look.changed) {
-    ImGui::SameLine(0.0f, scaled(2));
-    ImGui::PushStyleColor(ImGuiCol_Text, colour::changed);
-    if (ImGui::Button("0")) how.view.exposure = 0.0f;
-    ImGui::PopStyleColor();
-    help("The exposure is off its default; click to put it back.");
-  }
-  ImGui::SameLine(0.0f, scaled(6));
+  if (!look.changed) return;
+  ImGui::SameLine(0.0f, scaled(2));
+  ImGui::PushStyleColor(ImGuiCol_Text, colour::changed);
+  if (ImGui::Button("0")) how.view.exposure = 0.0f;
+  ImGui::PopStyleColor();
+  help("The exposure is off its default; click to put it back.");
+}
+
+void show_view_transform(Studio& studio) {
+  Development& how = studio.development;
   static const char* const views[] = {"sRGB", "filmic", "OCIO"};
   ImGui::SetNextItemWidth(scaled(76));
   if (ImGui::BeginCombo("##view", views[int(how.view.view)])) {
@@ -169,8 +189,12 @@ void show_view_strip(Studio& studio, const PaneRect& pane) {
       if (ImGui::Selectable(views[i], int(how.view.view) == i)) how.view.view = View(i);
     ImGui::EndCombo();
   }
+  note_item(studio, "view transform");
   help("How linear radiance is turned into what the display shows.");
-  ImGui::SameLine(0.0f, scaled(6));
+}
+
+void show_layer(Studio& studio) {
+  Development& how = studio.development;
   ImGui::SetNextItemWidth(scaled(84));
   if (ImGui::BeginCombo("##layer", how.layer.empty() ? "beauty" : how.layer.c_str())) {
     for (const char* layer : {"beauty", "alpha", "depth", "ambient", "emission", "map error"}) {
@@ -180,29 +204,118 @@ void show_view_strip(Studio& studio, const PaneRect& pane) {
     }
     ImGui::EndCombo();
   }
-  help("The layer that is seen; map error: how far the maps of the lights are from the exact transmittance.");
   note_item(studio, "layer");
-  ImGui::SameLine(0.0f, scaled(14));
-  if (toggle(studio.viewpoint.look.free ? "free camera" : "scene camera", !studio.viewpoint.look.free,
-             "Look through the scene's camera (C). Moving the view leaves to a free one."))
+  help("The layer that is seen; map error: how far the maps of the lights are from the exact transmittance.");
+}
+
+constexpr const char* longer_camera = "scene camera";
+
+void show_camera(Studio& studio) {
+  if (toggle(studio.viewpoint.look.free ? "free camera" : longer_camera, !studio.viewpoint.look.free,
+             "Look through the scene's camera (C). Moving the view leaves to a free one.",
+             button_width(longer_camera)))
     studio.viewpoint.look_through_scene_camera();
-  show_what_is_drawn(studio);
-  if (studio.comparison.other) show_ways_to_compare(studio);
-  if (studio.original_maps) {
-    ImGui::SameLine(0.0f, scaled(6));
-    if (toggle("full-range maps", true,
-               "The original method instead of adaptive maps (T), for this view only."))
-      act(studio, Action::original_maps);
+  note_item(studio, "camera of the view");
+}
+
+void show_full_range(Studio& studio) {
+  if (toggle("full-range maps", true,
+             "The original method instead of adaptive maps (T), for this view only."))
+    act(studio, Action::original_maps);
+}
+
+void show_solo(Studio& studio) {
+  ImGui::PushStyleColor(ImGuiCol_Text, colour::changed);
+  if (ImGui::Button("solo")) {
+    studio.development.solo.clear();
+    studio.development.solo_ambient = false;
   }
-  if (!how.solo.empty() || how.solo_ambient) {
-    ImGui::SameLine(0.0f, scaled(6));
-    ImGui::PushStyleColor(ImGuiCol_Text, colour::changed);
-    if (ImGui::Button("solo")) {
-      how.solo.clear();
-      how.solo_ambient = false;
-    }
-    ImGui::PopStyleColor();
-    help("Lights are seen alone; click to see everything.");
+  ImGui::PopStyleColor();
+  help("Lights are seen alone; click to see everything.");
+}
+
+struct Control {
+  StripWidth place;
+  void (*show)(Studio& studio);
+};
+
+// Those that there are now. Their widths do not depend on what they say, so that nothing jumps.
+std::vector<Control> controls_of(Studio& studio) {
+  const float wide = scaled(14), near = scaled(6), close = scaled(2);
+  const float quality = button_width("fast") + close + button_width("high");
+  const float exposure = scaled(92) + close + button_width("0");
+  std::vector<Control> controls = {{{width_of_tools(studio), 0.0f}, show_tools},
+                                   {{quality, wide}, show_quality},
+                                   {{exposure, wide}, show_exposure},
+                                   {{scaled(76), near}, show_view_transform},
+                                   {{scaled(84), near}, show_layer},
+                                   {{button_width(longer_camera), wide}, show_camera},
+                                   {{button_width("show"), wide}, show_what_is_drawn},
+                                   {{scaled(98), wide}, show_modes}};
+  if (studio.comparison.mode() == CompareMode::flicker)
+    controls.push_back({{scaled(60), close}, show_flicker_rate});
+  else if (has_reference_layers(studio))
+    controls.push_back({{scaled(76), close}, show_reference_layers});
+  if (studio.original_maps) controls.push_back({{button_width("full-range maps"), near}, show_full_range});
+  if (!studio.development.solo.empty() || studio.development.solo_ambient)
+    controls.push_back({{button_width("solo"), near}, show_solo});
+  return controls;
+}
+
+constexpr float margin_x = 8.0f, margin_y = 4.0f;  // [points at a scale of 1] around the controls
+
+StripRows rows_of(const std::vector<Control>& controls, float width) {
+  constexpr int most = 2;  // more would take the picture's room
+  std::vector<StripWidth> widths;
+  for (const Control& control : controls) widths.push_back(control.place);
+  return wrap(widths, width - 2.0f * scaled(margin_x), most, scaled(6) + button_width("»"));
+}
+
+void show_more(Studio& studio, const std::vector<Control>& controls, const StripRows& rows) {
+  if (ImGui::Button("»")) ImGui::OpenPopup("##more");
+  note_item(studio, "more of the strip");
+  help("What the strip is too narrow for.");
+  if (!ImGui::BeginPopup("##more")) return;
+  for (std::size_t i = 0; i < controls.size(); ++i)
+    if (rows.row[i] < 0) controls[i].show(studio);
+  ImGui::EndPopup();
+}
+
+}  // namespace
+
+float view_strip_height(Studio& studio, float width) {
+  const int rows = rows_of(controls_of(studio), width).count;
+  return float(rows) * ImGui::GetFrameHeight() + float(rows - 1) * scaled(margin_y) + 2.0f * scaled(margin_y);
+}
+
+void show_view_strip(Studio& studio, const PaneRect& pane) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(scaled(margin_x), scaled(margin_y)));
+  begin_pane("##strip", pane, false);
+  ImGui::PopStyleVar();
+  const std::vector<Control> controls = controls_of(studio);
+  const StripRows rows = rows_of(controls, pane.size.x);
+  const float left = pane.begin.x + scaled(margin_x);
+  float x = left;
+  const auto go_to = [&](int row, float at) {
+    ImGui::SetCursorScreenPos(
+        {at, pane.begin.y + scaled(margin_y) + float(row) * (ImGui::GetFrameHeight() + scaled(margin_y))});
+  };
+  int row = 0;
+  for (std::size_t i = 0; i < controls.size(); ++i) {
+    if (rows.row[i] < 0) break;
+    const StripWidth& place = controls[i].place;
+    const bool first = i == 0 || rows.row[i] != row;
+    row = rows.row[i];
+    x = first ? left : x + place.gap;
+    go_to(row, x);
+    controls[i].show(studio);
+    x += place.width;
+  }
+  if (rows.has_menu()) {
+    // In the last row, which may hold nothing else.
+    const bool alone = row != rows.count - 1;
+    go_to(rows.count - 1, alone ? left : x + scaled(6));
+    show_more(studio, controls, rows);
   }
   end_pane();
 }

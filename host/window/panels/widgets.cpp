@@ -173,12 +173,16 @@ std::optional<std::string> text_field(const char* id, const std::string& text, f
   return enabled && text != buffer ? std::optional<std::string>(buffer) : std::nullopt;
 }
 
-bool toggle(const char* label, bool on, const char* text) {
+float button_width(const char* label) {
+  return ImGui::CalcTextSize(label, nullptr, true).x + 2.0f * ImGui::GetStyle().FramePadding.x;
+}
+
+bool toggle(const char* label, bool on, const char* text, float width) {
   if (on) {
     ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_Header));
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetColorU32(ImGuiCol_HeaderActive));
   }
-  const bool pressed = ImGui::Button(label);
+  const bool pressed = ImGui::Button(label, {width, 0.0f});
   if (on) ImGui::PopStyleColor(2);
   help(text);
   return pressed;

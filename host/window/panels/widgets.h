@@ -40,8 +40,10 @@ FieldEdit number_field(const char* id, double value, const NumberRange& range, c
 std::optional<std::string> text_field(const char* id, const std::string& text, float width,
                                       bool enabled = true);
 
-/// A button that is on or off.
-bool toggle(const char* label, bool on, const char* help);
+/// A button that is on or off. width: [points]; 0: the label's.
+bool toggle(const char* label, bool on, const char* help, float width = 0.0f);
+/// The width that a button with that label has. [points]
+float button_width(const char* label);
 
 /// Help on what is under the pointer, after a moment.
 void help(const std::string& text);

@@ -22,7 +22,7 @@ inline constexpr const char* ball_scene = R"({"volume": "sphere", "density_scale
 
 class DrawingSitting : public testing::Test {
  protected:
-  static constexpr ivec2 size{1280, 760};
+  static constexpr ivec2 size{1100, 760};
 
   void SetUp() override {
     if (const std::string problem = Sitting::problem(); !problem.empty()) GTEST_SKIP() << problem;

@@ -44,8 +44,9 @@ TEST(OverlaySitting, AClickSelectsWhatIsUnderItAndWhatIsDrawnCanBeHidden) {
   keep("overlay-menu.png");
   before = sitting.now();
   sitting.stroke("Escape");
-  sitting.click({picture.x + 5, picture.y + 5});  // closes the menu
-  sitting.click({picture.x + 5, picture.y + 5});
+  const ivec2 beside(picture.x + picture.z - 5, picture.y + 5);
+  sitting.click(beside);  // closes the menu
+  sitting.click(beside);
   sitting.wait_for(" still", sitting.wait_for("select -clear", before));
   before = sitting.now();
   sitting.click(sitting.middle("picture"));
