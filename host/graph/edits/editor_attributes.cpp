@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/graph/edits/connect_problem.h"
 #include "host/graph/edits/editor.h"
 #include "host/graph/graph_error.h"
 #include "host/graph/model/conversion.h"
-#include "host/graph/model/cycles.h"
 
 namespace plinian::graph {
 
@@ -125,44 +125,20 @@ void Editor::connect(const Plug& source, const Plug& destination, bool replace) 
   const Schema &from = *graph_.find(source.node)->schema, &to = *graph_.find(destination.node)->schema;
   const auto sources = from.leaves(source.attribute), targets = to.leaves(destination.attribute);
   if (sources.size() != targets.size())
-    throw GraphError(graph_.name_of(source) + " and " + graph_.name_of(destination) +
-                     " hold different numbers of attributes");
+    throw GraphError(connect_problem(graph_, source, destination, replace));
   for (std::size_t i = 0; i < sources.size(); ++i)
     connect_one({source.node, sources[i], source.element},
                 {destination.node, targets[i], destination.element}, replace);
 }
 
 void Editor::connect_one(const Plug& source, Plug destination, bool replace) {
-  const SchemaAttribute &from = graph_.attribute(source), &to = graph_.attribute(destination);
+  destination = next_free(graph_, destination);
+  const std::string problem = connect_problem(graph_, source, destination, replace);
+  if (!problem.empty()) throw GraphError(problem);
   const Node& node = *graph_.find(destination.node);
-  if (to.array != no_attribute && destination.element < 0) {
-    const auto elements = node.elements(destination.attribute);
-    destination.element = elements.empty() ? 0 : elements.back() + 1;
-  }
-  const std::string source_name = graph_.name_of(source), name = graph_.name_of(destination);
-  if (from.array != no_attribute && source.element < 0)
-    throw GraphError(source_name + " is an array: name an element, as " + from.path + "[0]");
-  if (!from.spec.connectable) throw GraphError(source_name + " cannot be connected");
-  if (!to.spec.connectable) throw GraphError(name + " cannot be connected");
-  if (to.spec.output || to.spec.read_only) throw GraphError(name + " is an output and cannot be driven");
-  if (node.is_locked(destination.attribute, destination.element)) throw GraphError(name + " is locked");
-  const std::string problem =
-      connection_problem(from.spec, source.component >= 0, to.spec, destination.component >= 0);
-  if (!problem.empty()) throw GraphError("cannot connect " + source_name + " to " + name + ": " + problem);
   const auto inputs = node.inputs_of(destination.attribute, destination.element);
   const Input* same = node.input(destination.attribute, destination.element, destination.component);
   if (same && same->source == source) return;
-  for (const Input& input : inputs) {
-    const bool overlaps =
-        destination.component < 0 || input.component < 0 || input.component == destination.component;
-    if (overlaps && !replace)
-      throw GraphError(name + " is already driven by " + graph_.name_of(input.source) +
-                       ": disconnect it first, or connect with -force");
-  }
-  const auto cycle = cycle_through(graph_, source, destination);
-  if (!cycle.empty())
-    throw GraphError("cannot connect " + source_name + " to " + name + ": it would close the cycle " +
-                     describe_path(graph_, cycle) + " -> " + graph_.name_of(destination.whole()));
   const std::vector<Input> before(inputs.begin(), inputs.end());
   for (const Input& input : before)  // a vector is driven as a whole or by its components
     if ((input.component < 0) != (destination.component < 0))
