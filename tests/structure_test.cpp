@@ -125,6 +125,19 @@ TEST(Structure, HandlesAreComputedWithoutTheInterface) {
   EXPECT_GT(files, 8u);
 }
 
+// So is the node editor: only its panel and its painter know one.
+TEST(Structure, DiagramsAreLaidOutAndHitWithoutTheInterface) {
+  const std::set<std::string> of_the_window = {"diagram_painter.cpp", "node_panel.cpp", "node_panel.h"};
+  const std::regex interface(R"re(#\s*include\s*(<imgui|"host/window/(panels|platform)/))re");
+  std::size_t files = 0;
+  for (const std::string& path : files_under("host/window/nodes", {".h", ".cpp"})) {
+    if (of_the_window.contains(fs::path(path).filename().string())) continue;
+    ++files;
+    EXPECT_FALSE(std::regex_search(text_of(root / path), interface)) << path;
+  }
+  EXPECT_GT(files, 12u);
+}
+
 // Headers that take seconds to compile may be seen by sources, and by headers that their own folder keeps to
 // itself.
 TEST(Structure, HeavyHeadersDoNotLeaveTheFolderThatNeedsThem) {

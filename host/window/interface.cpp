@@ -33,9 +33,10 @@ fs::path panes_file() {
 }  // namespace
 
 Interface::Interface(MainWindow& window, Studio& studio)
-    : window_(window), studio_(studio), drawings_(studio, MainWindow::gl_function) {
+    : window_(window), studio_(studio), drawings_(studio, MainWindow::gl_function), nodes_(studio.session()) {
   if (std::ifstream file(panes_file()); file)
     sizes_ = read_pane_sizes({std::istreambuf_iterator<char>(file), {}});
+  studio_.show_nodes = sizes_.shows_nodes;
   studio_.commands.draw_meanwhile = [this] { draw_meanwhile(); };
 }
 
@@ -129,7 +130,7 @@ void Interface::take_input() {
   for (const Chord& chord : window_.take_keys()) {
     // Keys that are typed into a field are the field's.
     if (ImGui::GetIO().WantTextInput) continue;
-    if (const auto action = studio_.hotkeys.action(chord)) act(*action);
+    if (const auto action = studio_.hotkeys.action(chord); action && !nodes_.take(*action)) act(*action);
   }
   if (const bool typing = ImGui::GetIO().WantTextInput; typing != typing_) {
     typing_ = typing;
@@ -201,8 +202,8 @@ void Interface::show_splitters(const Panes& panes) {
   splitter("##split left", {panes.outliner.size.x, top}, {gap, column}, true, sizes_.left, 1.0f / scale);
   splitter("##split right", {panes.attributes.begin.x - gap, top}, {gap, column}, true, sizes_.right,
            -1.0f / scale);
-  splitter("##split bottom", {panes.console.begin.x, panes.console.begin.y - gap},
-           {panes.console.size.x, gap}, false, sizes_.bottom, -1.0f / scale);
+  splitter("##split bottom", {panes.bottom.begin.x, panes.bottom.begin.y - gap}, {panes.bottom.size.x, gap},
+           false, sizes_.shows_nodes ? sizes_.nodes : sizes_.bottom, -1.0f / scale);
   splitter("##split outliner", {0.0f, panes.lights.begin.y - gap}, {panes.outliner.size.x, gap}, false,
            sizes_.outliner, 1.0f / std::max(1.0f, column));
   sizes_ = read_pane_sizes(text_of(sizes_));  // within what is sensible
@@ -247,6 +248,7 @@ void Interface::show_panels() {
   show_menu(studio_);
   ImGui::EndDisabled();
   const ivec2 room = window_.size();
+  sizes_.shows_nodes = studio_.show_nodes;
   const float line = ImGui::GetFrameHeight(), timeline = line + scaled(8);
   const Panes panes = lay_out(sizes_, vec2(room), line, timeline, line + scaled(2), scaled(100) / 100.0f,
                               studio_.show_panels);
@@ -263,9 +265,13 @@ void Interface::show_panels() {
     lights_.show(studio_, panes.lights);
     attributes_.show(studio_, panes.attributes);
     timeline_.show(studio_, panes.timeline);
-    console_.show(studio_, panes.console);
+    if (sizes_.shows_nodes)
+      nodes_.show(studio_, panes.bottom);
+    else
+      console_.show(studio_, panes.bottom);
     show_splitters(panes);
   }
+  if (!studio_.show_panels || !sizes_.shows_nodes) nodes_.hide();
   show_status(studio_, panes.status);
   show_dialogs();
   ImGui::EndDisabled();

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "host/window/drawing/drawings.h"
+#include "host/window/nodes/node_panel.h"
 #include "host/window/panels/attribute_panel.h"
 #include "host/window/panels/console_panel.h"
 #include "host/window/panels/file_dialog.h"
@@ -50,6 +51,7 @@ class Interface {
   AttributePanel attributes_;
   TimelinePanel timeline_;
   ConsolePanel console_;
+  NodePanel nodes_;
   FileDialog open_dialog_, save_dialog_, reference_dialog_, plate_dialog_;
   PlayblastDialog playblast_dialog_;
   double draw_ms_ = 0.0;  // of the last drawing

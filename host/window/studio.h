@@ -89,6 +89,7 @@ class Studio {
   bool focus_console = false, wants_quit = false, quit = false;
   bool ask_open = false, ask_save_as = false, ask_reference = false, ask_plate = false;
   bool ask_playblast = false, show_snapshots = true;
+  bool show_nodes = false;    // beneath the picture, in place of the console
 
  private:
   std::optional<SceneSnapshot> asked_;  // that a picture was asked for last

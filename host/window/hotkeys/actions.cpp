@@ -51,6 +51,7 @@ bool is_of_the_view(Action action) {
     case Action::flip:
     case Action::toggle_display:
     case Action::toggle_panels:
+    case Action::node_editor:
     case Action::hotkey_list:
     case Action::cancel:
       return true;
@@ -168,6 +169,11 @@ void act(Studio& studio, Action action) {
       return;
     case Action::console_line:
       studio.focus_console = true;
+      studio.show_nodes = false;
+      return;
+    case Action::node_editor:
+      studio.show_nodes = !studio.show_nodes || !studio.show_panels;
+      studio.show_panels = true;
       return;
     case Action::hotkey_list:
       studio.show_hotkeys = !studio.show_hotkeys;

@@ -109,6 +109,7 @@ Hotkeys::Hotkeys()
           entry(Action::next_frame, "nextFrame", "Time", "the frame after", "Right"),
           entry(Action::toggle_panels, "panels", "Window", "the picture alone, or with panels", "Tab"),
           entry(Action::console_line, "console", "Window", "go to the command line", "Enter"),
+          entry(Action::node_editor, "nodes", "Window", "the node editor, or the console again", "N"),
           entry(Action::hotkey_list, "hotkeys", "Window", "this list", "F1"),
           entry(Action::cancel, "cancel", "Window", "stop what is running", "Escape"),
       } {}

@@ -61,6 +61,7 @@ enum class Action {
   toggle_display,
   toggle_panels,
   console_line,
+  node_editor,
   hotkey_list,
   cancel,
 };

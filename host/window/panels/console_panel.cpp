@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "host/window/console/completion.h"
+#include "host/window/panels/bottom_tabs.h"
 #include "host/window/panels/typing.h"
 #include "host/window/platform/theme.h"
 
@@ -63,6 +64,8 @@ int ConsolePanel::edit(Studio& studio, ImGuiInputTextCallbackData& data) {
 
 void ConsolePanel::show(Studio& studio, const PaneRect& pane) {
   begin_pane("##console", pane, false);
+  show_bottom_tabs(studio);
+  ImGui::NewLine();
   ImGui::PushFont(fonts().fixed);
   const float line = ImGui::GetFrameHeightWithSpacing();
   ImGui::BeginChild("##lines", {0.0f, -line}, false, ImGuiWindowFlags_HorizontalScrollbar);

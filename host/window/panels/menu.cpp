@@ -176,6 +176,7 @@ void show_menu(Studio& studio) {
     ImGui::Separator();
     item(studio, "Figures", Action::toggle_display, true, studio.show_display);
     item(studio, "Panels", Action::toggle_panels, true, studio.show_panels);
+    item(studio, "Node editor", Action::node_editor, true, studio.show_nodes && studio.show_panels);
     item(studio, "Hotkeys", Action::hotkey_list);
     ImGui::EndMenu();
   }

@@ -9,22 +9,12 @@
 
 #include "host/graph/model/conversion.h"
 #include "host/graph/model/hierarchy.h"
+#include "host/window/nodes/node_colours.h"
 #include "host/window/platform/theme.h"
 
 namespace plinian::window {
 
 namespace {
-
-// What kind of thing a node is, told by the colour of its mark.
-unsigned mark_colour(const std::string& type) {
-  if (type.find("Light") != type.npos) return 0xff5fc3ee;
-  if (type == "camera") return 0xffd0a878;
-  if (type == "atfmVolume" || type.find("Volume") != type.npos) return 0xffb4b4c8;
-  if (type == "medium") return 0xff7e9ad8;
-  if (type.starts_with("volume")) return 0xff9ac09a;
-  if (type == "transform") return 0xff8c8c8c;
-  return 0xff6f6b68;
-}
 
 bool contains_word(std::string text, std::string word) {
   for (std::string* s : {&text, &word})
@@ -75,7 +65,7 @@ void OutlinerPanel::show_node(Studio& studio, const graph::Node& node, bool tree
     ImDrawList* list = ImGui::GetWindowDrawList();
     const float middle = std::round(at.y + ImGui::GetFrameHeight() / 2);
     list->AddRectFilled({at.x + scaled(20), middle - scaled(4)}, {at.x + scaled(28), middle + scaled(4)},
-                        mark_colour(node.type->name()), scaled(2));
+                        node_colour(node.type->name()), scaled(2));
     ImGui::SetCursorScreenPos({at.x + scaled(35), at.y});
     if (renamed_ == node.id) {
       ImGui::SetNextItemWidth(-1.0f);

@@ -20,11 +20,6 @@ namespace {
 
 constexpr const char* extensions[] = {".png", ".exr", ".mp4"};
 
-void note_item(Studio& studio, const char* name) {
-  studio.trace.item(name, vec2(ImGui::GetItemRectMin().x, ImGui::GetItemRectMin().y),
-                    vec2(ImGui::GetItemRectSize().x, ImGui::GetItemRectSize().y));
-}
-
 double number_of(const graph::Node& node, const char* name) {
   return graph::number_of(node.value(node.schema->find(name)));
 }
@@ -59,13 +54,13 @@ void PlayblastDialog::show(Studio& studio) {
                       scene ? fmt::format(", {}x{}", scene->width, scene->height).c_str() : "");
   ImGui::SetNextItemWidth(scaled(90));
   ImGui::InputInt("##first", &first_, 0);
-  note_item(studio, "playblast first");
+  note_item(studio.trace, "playblast first");
   ImGui::SameLine();
   ImGui::TextUnformatted("to");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(scaled(90));
   ImGui::InputInt("##last", &last_, 0);
-  note_item(studio, "playblast last");
+  note_item(studio.trace, "playblast last");
   ImGui::SameLine();
   for (int i = 0; i < 3; ++i) {
     if (i > 0) ImGui::SameLine(0.0f, scaled(2));
@@ -94,7 +89,7 @@ void PlayblastDialog::show(Studio& studio) {
     studio.start_playblast(settings);
     ImGui::CloseCurrentPopup();
   }
-  if (!ImGui::IsWindowAppearing()) note_item(studio, "playblast render");
+  if (!ImGui::IsWindowAppearing()) note_item(studio.trace, "playblast render");
   ImGui::SameLine();
   if (ImGui::Button("Cancel", {scaled(110), 0.0f}) ||
       ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))

@@ -17,11 +17,6 @@ namespace plinian::window {
 
 namespace {
 
-void note_item(Studio& studio, const char* name) {
-  studio.trace.item(name, vec2(ImGui::GetItemRectMin().x, ImGui::GetItemRectMin().y),
-                    vec2(ImGui::GetItemRectSize().x, ImGui::GetItemRectSize().y));
-}
-
 void show_modes(Studio& studio) {
   Comparison& comparison = studio.comparison;
   const bool is_on = comparison.mode() != CompareMode::off;
@@ -30,11 +25,11 @@ void show_modes(Studio& studio) {
   if (is_on) ImGui::PushStyleColor(ImGuiCol_Text, colour::accent);
   const bool open = ImGui::BeginCombo("##compare", is_on ? name_of(comparison.mode()) : "compare");
   if (is_on) ImGui::PopStyleColor();
-  note_item(studio, "compare");
+  note_item(studio.trace, "compare");
   if (open) {
     for (const CompareMode mode : compare_modes) {
       if (ImGui::Selectable(name_of(mode), comparison.mode() == mode)) comparison.set_mode(mode);
-      note_item(studio, (std::string("compare ") + name_of(mode)).c_str());
+      note_item(studio.trace, std::string("compare ") + name_of(mode));
     }
     ImGui::EndCombo();
   }
@@ -87,7 +82,7 @@ void show_reference_layers(Studio& studio) {
 
 void show_what_is_drawn(Studio& studio) {
   if (ImGui::Button("show")) ImGui::OpenPopup("##show");
-  note_item(studio, "show");
+  note_item(studio.trace, "show");
   help("What is drawn over the picture. Nothing of it is in a picture that is written.");
   if (!ImGui::BeginPopup("##show")) return;
   OverlayChoice& overlay = studio.overlay;
@@ -98,7 +93,7 @@ void show_what_is_drawn(Studio& studio) {
       {"plug-in drawings", &overlay.drawings}, {"handles", &studio.tools.show}};
   for (const auto& [name, on] : rows) {
     ImGui::Checkbox(name, on);
-    note_item(studio, (std::string("show ") + name).c_str());
+    note_item(studio.trace, std::string("show ") + name);
   }
   ImGui::EndPopup();
 }
@@ -133,7 +128,7 @@ void show_tools(Studio& studio) {
     const std::string what = std::string(button.what) + (keys == "none" ? "." : " (" + keys + ").");
     if (toggle(label_of(studio, button).c_str(), studio.tools.tool == button.tool, what.c_str()))
       act(studio, button.action);
-    note_item(studio, button.name);
+    note_item(studio.trace, button.name);
     ImGui::SameLine(0.0f, scaled(1));
   }
   const bool moves = studio.tools.tool == Tool::translate || studio.tools.tool == Tool::rotate;
@@ -144,16 +139,16 @@ void show_tools(Studio& studio) {
   if (toggle(local ? "own" : "world", false, what.c_str(), button_width("world")))
     act(studio, Action::axis_space);
   ImGui::EndDisabled();
-  note_item(studio, "axes of the tool");
+  note_item(studio.trace, "axes of the tool");
 }
 
 void show_quality(Studio& studio) {
   const std::string& quality = studio.workspace.view().quality;
   if (toggle("fast", quality == "fast", "The quality set fast (1).")) act(studio, Action::quality_fast);
-  note_item(studio, "fast");
+  note_item(studio.trace, "fast");
   ImGui::SameLine(0.0f, scaled(2));
   if (toggle("high", quality == "high", "The quality set high (2).")) act(studio, Action::quality_high);
-  note_item(studio, "high");
+  note_item(studio.trace, "high");
 }
 
 void show_exposure(Studio& studio) {
@@ -167,7 +162,7 @@ void show_exposure(Studio& studio) {
   stops.soft_minimum = -8.0;
   stops.soft_maximum = 8.0;
   const FieldEdit edit = number_field("##exposure", how.view.exposure, stops, look);
-  note_item(studio, "exposure");
+  note_item(studio.trace, "exposure");
   help("Exposure of the display. No part of the scene.");
   if (edit.dragged) how.view.exposure = float(*edit.dragged);
   if (edit.typed)
@@ -189,7 +184,7 @@ void show_view_transform(Studio& studio) {
       if (ImGui::Selectable(views[i], int(how.view.view) == i)) how.view.view = View(i);
     ImGui::EndCombo();
   }
-  note_item(studio, "view transform");
+  note_item(studio.trace, "view transform");
   help("How linear radiance is turned into what the display shows.");
 }
 
@@ -204,7 +199,7 @@ void show_layer(Studio& studio) {
     }
     ImGui::EndCombo();
   }
-  note_item(studio, "layer");
+  note_item(studio.trace, "layer");
   help("The layer that is seen; map error: how far the maps of the lights are from the exact transmittance.");
 }
 
@@ -215,7 +210,7 @@ void show_camera(Studio& studio) {
              "Look through the scene's camera (C). Moving the view leaves to a free one.",
              button_width(longer_camera)))
     studio.viewpoint.look_through_scene_camera();
-  note_item(studio, "camera of the view");
+  note_item(studio.trace, "camera of the view");
 }
 
 void show_full_range(Studio& studio) {
@@ -273,7 +268,7 @@ StripRows rows_of(const std::vector<Control>& controls, float width) {
 
 void show_more(Studio& studio, const std::vector<Control>& controls, const StripRows& rows) {
   if (ImGui::Button("»")) ImGui::OpenPopup("##more");
-  note_item(studio, "more of the strip");
+  note_item(studio.trace, "more of the strip");
   help("What the strip is too narrow for.");
   if (!ImGui::BeginPopup("##more")) return;
   for (std::size_t i = 0; i < controls.size(); ++i)

@@ -10,6 +10,7 @@
 
 #include "core/shared/view_curve.h"
 #include "host/window/platform/theme.h"
+#include "host/window/platform/trace.h"
 
 namespace plinian::window {
 
@@ -186,6 +187,11 @@ bool toggle(const char* label, bool on, const char* text, float width) {
   if (on) ImGui::PopStyleColor(2);
   help(text);
   return pressed;
+}
+
+void note_item(Trace& trace, const std::string& name) {
+  const ImVec2 begin = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
+  trace.item(name, vec2(begin.x, begin.y), vec2(size.x, size.y));
 }
 
 void help(const std::string& text) {

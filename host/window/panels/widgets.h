@@ -10,6 +10,8 @@
 
 namespace plinian::window {
 
+class Trace;
+
 /// Opens a pane as a window of Dear ImGui that neither moves nor closes. To be followed by end_pane.
 void begin_pane(const char* id, const PaneRect& pane, bool scrolls = true);
 void end_pane();
@@ -44,6 +46,9 @@ std::optional<std::string> text_field(const char* id, const std::string& text, f
 bool toggle(const char* label, bool on, const char* help, float width = 0.0f);
 /// The width that a button with that label has. [points]
 float button_width(const char* label);
+
+/// Tells the trace where the last widget is.
+void note_item(Trace& trace, const std::string& name);
 
 /// Help on what is under the pointer, after a moment.
 void help(const std::string& text);

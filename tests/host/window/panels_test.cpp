@@ -161,8 +161,8 @@ TEST(KeyLight, ComesFromTheRightWhenItIsDraggedThere) {
 TEST(Layout, NothingOverlapsAndThePictureKeepsItsRoom) {
   for (const vec2 room : {vec2(1440, 900), vec2(720, 480), vec2(2560, 1440)}) {
     const Panes panes = lay_out({}, room, 22.0f, 30.0f, 24.0f, 1.0f, true);
-    const PaneRect all[] = {panes.menu,       panes.outliner, panes.lights,  panes.picture,
-                            panes.attributes, panes.timeline, panes.console, panes.status};
+    const PaneRect all[] = {panes.menu,       panes.outliner, panes.lights, panes.picture,
+                            panes.attributes, panes.timeline, panes.bottom, panes.status};
     for (const PaneRect& a : all) {
       EXPECT_GE(a.begin.x, 0.0f);
       EXPECT_LE(a.begin.x + a.size.x, room.x + 0.5f);

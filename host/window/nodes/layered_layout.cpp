@@ -1,0 +1,223 @@
+// Layers by the longest way, order by the middle of the neighbours, then places.
+#include "host/window/nodes/layered_layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace plinian::window {
+
+namespace {
+
+constexpr float column_gap = 56.0f, row_gap = 18.0f, group_gap = 34.0f;  // [points]
+
+using Lists = std::vector<std::vector<std::size_t>>;
+
+struct Neighbours {
+  Lists before, after;  // in the order of the edges
+  Neighbours(std::size_t count, const LayoutEdges& edges) : before(count), after(count) {
+    for (const auto& [from, to] : edges) {
+      if (from == to || std::find(after[from].begin(), after[from].end(), to) != after[from].end()) continue;
+      after[from].push_back(to);
+      before[to].push_back(from);
+    }
+  }
+};
+
+// Every box behind all that it depends on; what goes round in a circle last, as it comes.
+std::vector<std::size_t> in_order_of_dependence(const Neighbours& near) {
+  std::vector<std::size_t> waits(near.before.size()), order;
+  for (std::size_t i = 0; i < waits.size(); ++i)
+    if ((waits[i] = near.before[i].size()) == 0) order.push_back(i);
+  for (std::size_t next = 0; next < order.size(); ++next)
+    for (const std::size_t to : near.after[order[next]])
+      if (--waits[to] == 0) order.push_back(to);
+  for (std::size_t i = 0; i < waits.size(); ++i)
+    if (waits[i] > 0) order.push_back(i);
+  return order;
+}
+
+// The longest way to it; what nothing is before moves up to what it drives.
+std::vector<int> layers_of(const Neighbours& near, const std::vector<std::size_t>& order) {
+  std::vector<int> layer(near.before.size(), 0);
+  for (const std::size_t i : order)
+    for (const std::size_t to : near.after[i]) layer[to] = std::max(layer[to], layer[i] + 1);
+  for (auto i = order.rbegin(); i != order.rend(); ++i) {
+    if (near.after[*i].empty()) continue;
+    int first = layer[near.after[*i].front()];
+    for (const std::size_t to : near.after[*i]) first = std::min(first, layer[to]);
+    layer[*i] = first - 1;
+  }
+  return layer;
+}
+
+std::vector<std::vector<std::size_t>> groups_of(const Neighbours& near) {
+  std::vector<std::vector<std::size_t>> groups;
+  std::vector<bool> seen(near.before.size(), false);
+  for (std::size_t first = 0; first < seen.size(); ++first) {
+    if (seen[first]) continue;
+    std::vector<std::size_t> group = {first};
+    seen[first] = true;
+    for (std::size_t next = 0; next < group.size(); ++next)
+      for (const auto* sides : {&near.before, &near.after})
+        for (const std::size_t other : (*sides)[group[next]])
+          if (!seen[other]) {
+            seen[other] = true;
+            group.push_back(other);
+          }
+    std::sort(group.begin(), group.end());
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+// Boxes of one group, and how high it is.
+class Group {
+ public:
+  Group(std::vector<LaidOut>& boxes, const Neighbours& near, const std::vector<int>& layer,
+        const std::vector<std::size_t>& members)
+      : boxes_(boxes), near_(near) {
+    int first = layer[members.front()], last = first;
+    for (const std::size_t i : members) {
+      first = std::min(first, layer[i]);
+      last = std::max(last, layer[i]);
+    }
+    columns_.resize(std::size_t(last - first) + 1);
+    for (const std::size_t i : members) columns_[std::size_t(layer[i] - first)].push_back(i);
+  }
+
+  float put(float top) {
+    sort();
+    float x = 0.0f, height = 0.0f;
+    std::vector<float> heights;
+    for (const auto& column : columns_) {
+      float sum = -row_gap;
+      for (const std::size_t i : column) sum += boxes_[i].size.y + row_gap;
+      heights.push_back(sum);
+      height = std::max(height, sum);
+    }
+    for (std::size_t c = 0; c < columns_.size(); ++c) {
+      float y = top + std::round((height - heights[c]) / 2), width = 0.0f;
+      for (const std::size_t i : columns_[c]) {
+        boxes_[i].place = vec2(x, y);
+        y += boxes_[i].size.y + row_gap;
+        width = std::max(width, boxes_[i].size.x);
+      }
+      x += width + column_gap;
+    }
+    return height;
+  }
+
+ private:
+  void sort() {
+    std::vector<float> rank(boxes_.size(), 0.0f);
+    const auto number = [&](const std::vector<std::size_t>& column) {
+      for (std::size_t k = 0; k < column.size(); ++k)
+        rank[column[k]] = (float(k) + 0.5f) / float(column.size());
+    };
+    for (const auto& column : columns_) number(column);
+    // Of wires into one box that of the upper plug comes first.
+    constexpr float plug_step = 1e-3f;
+    const auto settle = [&](std::vector<std::size_t>& column, const Lists& sides, const Lists& back) {
+      std::vector<std::pair<float, std::size_t>> keys;
+      for (const std::size_t i : column) {
+        float sum = 0.0f;
+        for (const std::size_t other : sides[i]) {
+          const auto plug = std::find(back[other].begin(), back[other].end(), i) - back[other].begin();
+          sum += rank[other] + plug_step * float(plug);
+        }
+        keys.emplace_back(sides[i].empty() ? rank[i] : sum / float(sides[i].size()), i);
+      }
+      std::stable_sort(keys.begin(), keys.end(),
+                       [](const auto& x, const auto& y) { return x.first < y.first; });
+      for (std::size_t k = 0; k < keys.size(); ++k) column[k] = keys[k].second;
+      number(column);
+    };
+    constexpr int sweeps = 4;
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+      for (std::size_t c = 1; c < columns_.size(); ++c) settle(columns_[c], near_.before, near_.after);
+      for (std::size_t c = columns_.size() - 1; c-- > 0;) settle(columns_[c], near_.after, near_.before);
+    }
+  }
+
+  std::vector<LaidOut>& boxes_;
+  const Neighbours& near_;
+  std::vector<std::vector<std::size_t>> columns_;
+};
+
+void lay_out_all(std::vector<LaidOut>& boxes, const Neighbours& near) {
+  const std::vector<int> layer = layers_of(near, in_order_of_dependence(near));
+  std::vector<std::vector<std::size_t>> groups = groups_of(near);
+  std::stable_sort(groups.begin(), groups.end(),
+                   [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  float top = 0.0f, right = 0.0f;
+  auto group = groups.begin();
+  for (; group != groups.end() && group->size() > 1; ++group) {
+    top += Group(boxes, near, layer, *group).put(top) + group_gap;
+    for (const std::size_t i : *group) right = std::max(right, boxes[i].place->x + boxes[i].size.x);
+  }
+  // What stands alone: side by side, as wide as the rest or a few.
+  constexpr float least = 760.0f;
+  float x = 0.0f, height = 0.0f;
+  for (; group != groups.end(); ++group) {
+    LaidOut& box = boxes[group->front()];
+    if (x > 0.0f && x + box.size.x > std::max(right, least)) {
+      x = 0.0f;
+      top += height + row_gap;
+      height = 0.0f;
+    }
+    box.place = vec2(x, top);
+    x += box.size.x + row_gap;
+    height = std::max(height, box.size.y);
+  }
+}
+
+// Beside its neighbours that have a place, at the height of their middle, and down to where there is room.
+vec2 place_beside(const std::vector<LaidOut>& boxes, const Neighbours& near, std::size_t self) {
+  float y = 0.0f, count = 0.0f;
+  std::optional<float> left, right;
+  for (const std::size_t i : near.before[self])
+    if (const auto& place = boxes[i].place) {
+      left = std::max(left.value_or(place->x), place->x + boxes[i].size.x + column_gap);
+      y += place->y;
+      count += 1.0f;
+    }
+  for (const std::size_t i : near.after[self])
+    if (const auto& place = boxes[i].place) {
+      const float x = place->x - column_gap - boxes[self].size.x;
+      right = std::min(right.value_or(x), x);
+      y += place->y;
+      count += 1.0f;
+    }
+  vec2 place(left ? *left : right.value_or(0.0f), count > 0.0f ? std::round(y / count) : 0.0f);
+  if (count == 0.0f)  // beneath everything
+    for (const LaidOut& other : boxes)
+      if (other.place)
+        place = {std::min(place.x, other.place->x),
+                 std::max(place.y, other.place->y + other.size.y + group_gap)};
+  for (bool moved = true; moved;) {
+    moved = false;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      if (i == self || !boxes[i].place) continue;
+      const vec2 begin = *boxes[i].place - row_gap, end = *boxes[i].place + boxes[i].size + row_gap;
+      if (place.x + boxes[self].size.x <= begin.x || place.x >= end.x ||
+          place.y + boxes[self].size.y <= begin.y || place.y >= end.y)
+        continue;
+      place.y = end.y;
+      moved = true;
+    }
+  }
+  return place;
+}
+
+}  // namespace
+
+void lay_out(std::vector<LaidOut>& boxes, const LayoutEdges& edges) {
+  const Neighbours near(boxes.size(), edges);
+  if (std::none_of(boxes.begin(), boxes.end(), [](const LaidOut& box) { return box.place.has_value(); }))
+    return lay_out_all(boxes, near);
+  for (const std::size_t i : in_order_of_dependence(near))
+    if (!boxes[i].place) boxes[i].place = place_beside(boxes, near, i);
+}
+
+}  // namespace plinian::window

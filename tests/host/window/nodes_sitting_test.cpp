@@ -1,0 +1,107 @@
+// The node editor by hand: connects, takes back, takes off.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include "core/files/atomic_file.h"
+#include "core/image/image_io.h"
+#include "tests/host/window/sitting.h"
+
+namespace plinian {
+namespace {
+
+class NodesSitting : public testing::Test {
+ protected:
+  static constexpr ivec2 size{1280, 800};
+
+  void SetUp() override {
+    if (const std::string problem = Sitting::problem(); !problem.empty()) GTEST_SKIP() << problem;
+    sitting_ = std::make_unique<Sitting>(std::vector<std::string>{"sphere"}, size);
+    sitting_->wait_for(" still", sitting_->wait_for(" rest "));
+  }
+  void type(const std::string& line) {
+    sitting_->click(sitting_->middle("command line"));
+    sitting_->wait_for_keys("keys to a field");
+    const std::size_t before = sitting_->now();
+    sitting_->type(line);
+    sitting_->stroke("Return");
+    sitting_->wait_for("ran " + line, before);
+  }
+  /// Does it, and waits until the command ran.
+  void expect_command(const std::string& command, const std::function<void()>& does) {
+    const std::size_t before = sitting_->now();
+    does();
+    sitting_->wait_for("ran " + command, before);
+  }
+  std::string saved(const std::string& name) {
+    expect_command("save " + name, [&] { type("save " + name); });
+    std::ifstream file(sitting_->folder() / name);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  void keep(const std::string& name) {
+    const char* folder = std::getenv("PLINIAN_SITTING_PICTURES");
+    if (!folder) return;
+    sitting_->wait_for(" still", sitting_->now() - 1);
+    const Pixels seen = sitting_->pixels({0, 0, size.x, size.y});
+    write_file(std::string(folder) + "/" + name, encode_png(seen.rgb, seen.width, seen.height));
+  }
+
+  std::unique_ptr<Sitting> sitting_;
+};
+
+TEST_F(NodesSitting, AWireConnectsIsTakenBackAndIsTakenOff) {
+  type("createNode medium -name other");
+  const std::string original = saved("original.plinian");
+  EXPECT_NE(original.find(".medium <- medium.out"), std::string::npos);
+  sitting_->click(sitting_->middle("tab nodes"));
+  sitting_->wait_for(" still", sitting_->wait_for("item \"out other.out\""));
+  keep("nodes.png");
+
+  // A plug that cannot take the wire says why.
+  std::size_t before = sitting_->now();
+  sitting_->move(sitting_->middle("out other.out"));
+  sitting_->wait_for_mouse(sitting_->middle("out other.out"), 0);
+  sitting_->press();
+  sitting_->wait_for_mouse(sitting_->middle("out other.out"), 1);
+  sitting_->move(sitting_->middle("in medium_shape.volume"));
+  sitting_->wait_for("refused cannot connect other.out to medium_shape.volume", before);
+  keep("nodes-refused.png");
+  expect_command("connectAttr other.out medium_shape.medium -force", [&] {
+    const ivec2 end = sitting_->middle("in medium_shape.medium");
+    sitting_->move(end);
+    sitting_->wait_for_mouse(end, 1);
+    sitting_->release();
+    sitting_->wait_for_mouse(end, 0);
+  });
+  keep("nodes-connected.png");
+  expect_command("undo", [&] { sitting_->stroke("Control_L+z"); });
+  expect_command("redo", [&] { sitting_->stroke("Control_L+Shift_L+z"); });
+
+  // Selected in step with the outliner, by a click on either.
+  expect_command("select key", [&] { sitting_->click(sitting_->middle("box key")); });
+  expect_command("select medium_shape", [&] { sitting_->click(sitting_->middle("node medium_shape")); });
+  keep("nodes-selected.png");
+
+  // Dragged off, the wire breaks; the pane of the console is where it was.
+  const ivec4 canvas = sitting_->item("nodes canvas");
+  expect_command("disconnectAttr medium_shape.medium", [&] {
+    sitting_->drag(sitting_->middle("in medium_shape.medium"),
+                   ivec2(canvas.x + canvas.z - 6, canvas.y + canvas.w - 6));
+  });
+  keep("nodes-disconnected.png");
+  sitting_->click(sitting_->middle("tab console"));
+  const std::string off = saved("off.plinian");
+  EXPECT_EQ(off.find(".medium <-"), std::string::npos);
+  for (int i = 0; i < 4; ++i) {  // the wire off, two selections, the wire on
+    sitting_->move({5, 5});
+    sitting_->click({canvas.x + canvas.z / 2, 3});  // out of the command line
+    sitting_->wait_for_keys("keys to the window");
+    expect_command("undo", [&] { sitting_->stroke("Control_L+z"); });
+  }
+  EXPECT_EQ(saved("again.plinian"), original);
+}
+
+}  // namespace
+}  // namespace plinian
