@@ -227,6 +227,7 @@ void Interface::show_dialogs() {
   if (const auto chosen = reference_dialog_.show()) studio_.run("loadReference " + graph::quote(*chosen));
   if (const auto chosen = plate_dialog_.show()) studio_.run("loadReference -plate " + graph::quote(*chosen));
   if (const auto chosen = save_dialog_.show()) studio_.files.save_as(*chosen);
+  if (const auto chosen = palette_.show(studio_)) act(*chosen);
   show_unsaved_question(studio_);
   show_recovery(studio_);
   show_hotkey_list(studio_);

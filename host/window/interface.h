@@ -5,6 +5,7 @@
 
 #include "host/window/drawing/drawings.h"
 #include "host/window/nodes/node_panel.h"
+#include "host/window/palette/palette.h"
 #include "host/window/panels/attribute_panel.h"
 #include "host/window/panels/console_panel.h"
 #include "host/window/panels/file_dialog.h"
@@ -52,6 +53,7 @@ class Interface {
   TimelinePanel timeline_;
   ConsolePanel console_;
   NodePanel nodes_;
+  Palette palette_;
   FileDialog open_dialog_, save_dialog_, reference_dialog_, plate_dialog_;
   PlayblastDialog playblast_dialog_;
   double draw_ms_ = 0.0;  // of the last drawing

@@ -90,6 +90,8 @@ class Studio {
   bool ask_open = false, ask_save_as = false, ask_reference = false, ask_plate = false;
   bool ask_playblast = false, show_snapshots = true;
   bool show_nodes = false;    // beneath the picture, in place of the console
+  bool show_palette = false;  // the command palette
+  std::string typed_ahead;    // what the command line is to begin with, taken from here
 
  private:
   std::optional<SceneSnapshot> asked_;  // that a picture was asked for last

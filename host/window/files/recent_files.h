@@ -5,25 +5,23 @@
 #include <string>
 #include <vector>
 
+#include "host/window/files/recent_lines.h"
+
 namespace plinian::window {
 
 class RecentFiles {
  public:
-  /// file: made when it is needed; empty: nothing is kept.
+  /// file: as of RecentLines.
   explicit RecentFiles(std::filesystem::path file);
 
-  /// Goes to the top; what is over a dozen is forgotten. Other programs that run may have added to the file:
-  /// it is read first. A file that cannot be written is no reason to stop.
+  /// Goes to the top; what is over a dozen is forgotten.
   void add(const std::string& path);
   /// Those that are there; sequences always are.
   std::vector<std::string> all() const;
-  void clear();
+  void clear() { lines_.clear(); }
 
  private:
-  std::vector<std::string> read() const;
-  void write(const std::vector<std::string>& paths) const;
-
-  std::filesystem::path file_;
+  RecentLines lines_;
 };
 
 }  // namespace plinian::window

@@ -175,6 +175,9 @@ void act(Studio& studio, Action action) {
       studio.show_nodes = !studio.show_nodes || !studio.show_panels;
       studio.show_panels = true;
       return;
+    case Action::palette:
+      studio.show_palette = true;
+      return;
     case Action::hotkey_list:
       studio.show_hotkeys = !studio.show_hotkeys;
       return;

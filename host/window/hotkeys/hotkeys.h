@@ -62,6 +62,7 @@ enum class Action {
   toggle_panels,
   console_line,
   node_editor,
+  palette,
   hotkey_list,
   cancel,
 };

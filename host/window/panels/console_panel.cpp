@@ -3,7 +3,7 @@
 
 #include <imgui.h>
 
-#include <cstring>
+#include <cstdio>
 #include <utility>
 
 #include "host/window/console/completion.h"
@@ -39,6 +39,12 @@ struct Both {
 }  // namespace
 
 int ConsolePanel::edit(Studio& studio, ImGuiInputTextCallbackData& data) {
+  if (data.EventFlag == ImGuiInputTextFlags_CallbackAlways) {
+    if (!std::exchange(to_end_, false)) return 0;
+    data.CursorPos = data.BufTextLen;
+    data.ClearSelection();
+    return 0;
+  }
   if (data.EventFlag == ImGuiInputTextFlags_CallbackCompletion) {
     const std::string line(data.Buf, std::size_t(data.CursorPos));
     const Completion found = complete(studio.session(), line);
@@ -96,12 +102,16 @@ void ConsolePanel::show(Studio& studio, const PaneRect& pane) {
   ImGui::SetNextItemWidth(-1.0f);
   // What asks a question keeps the keys.
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) studio.focus_console = false;
+  if (!studio.typed_ahead.empty() && studio.focus_console) {
+    std::snprintf(line_, sizeof line_, "%s", std::exchange(studio.typed_ahead, "").c_str());
+    to_end_ = true;
+  }
   if (std::exchange(studio.focus_console, false)) ImGui::SetKeyboardFocusHere();
   Both both{this, &studio};
   const bool entered = ImGui::InputTextWithHint(
       "##line", "a command; Tab completes, 'help' lists them", line_, sizeof line_,
       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackCompletion |
-          ImGuiInputTextFlags_CallbackHistory,
+          ImGuiInputTextFlags_CallbackHistory | ImGuiInputTextFlags_CallbackAlways,
       [](ImGuiInputTextCallbackData* data) {
         const Both& b = *static_cast<Both*>(data->UserData);
         return b.panel->edit(*b.studio, *data);

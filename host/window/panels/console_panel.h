@@ -21,6 +21,7 @@ class ConsolePanel {
   char line_[1024] = "";
   std::vector<std::string> typed_;  // oldest first
   std::size_t recalled_ = 0;        // place in typed_; its size: a new line
+  bool to_end_ = false;             // the cursor goes behind what was typed ahead
   std::uint64_t shown_ = 0;         // changes of the log that were scrolled to
 };
 

@@ -142,6 +142,8 @@ void show_menu(Studio& studio) {
     ImGui::Separator();
     item(studio, "Duplicate", Action::duplicate_nodes);
     item(studio, "Delete", Action::delete_nodes);
+    ImGui::Separator();
+    item(studio, "Find...", Action::palette);
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Tools")) {

@@ -1,0 +1,17 @@
+// How well a few letters name something.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace plinian::window {
+
+/// Each word of the query must have its letters in the text in their order, case aside; higher is better:
+/// letters in a row and at the beginnings of words (also of "words_likeThis") count most, then short texts.
+/// None where a word is not there; 0 for an empty query.
+std::optional<int> fuzzy_score(std::string_view query, std::string_view text);
+
+/// Whether a text holds every word of the query as it is written, case aside.
+bool holds_words(std::string_view query, std::string_view text);
+
+}  // namespace plinian::window
