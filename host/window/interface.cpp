@@ -25,28 +25,40 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path panes_file() {
+// What the interface remembers over sessions.
+struct Kept {
+  fs::path panes, hidden;  // empty where nothing can be kept
+};
+
+Kept kept_files() {
   const fs::path folder = user_config_folder();
-  return folder.empty() ? folder : folder / "panes";
+  return folder.empty() ? Kept() : Kept{folder / "panes", folder / "hidden"};
+}
+
+std::string text_in(const fs::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 }  // namespace
 
 Interface::Interface(MainWindow& window, Studio& studio)
     : window_(window), studio_(studio), drawings_(studio, MainWindow::gl_function), nodes_(studio.session()) {
-  if (std::ifstream file(panes_file()); file)
-    sizes_ = read_pane_sizes({std::istreambuf_iterator<char>(file), {}});
+  const Kept files = kept_files();
+  sizes_ = read_pane_sizes(text_in(files.panes));
   studio_.show_nodes = sizes_.shows_nodes;
+  studio_.overlay = read_overlay_choice(text_in(files.hidden));
   studio_.commands.draw_meanwhile = [this] { draw_meanwhile(); };
 }
 
 Interface::~Interface() {
   studio_.commands.draw_meanwhile = nullptr;
-  const fs::path path = panes_file();
-  if (path.empty()) return;
+  const Kept files = kept_files();
+  if (files.panes.empty()) return;
   std::error_code ignored;
-  fs::create_directories(path.parent_path(), ignored);
-  std::ofstream(path) << text_of(sizes_);
+  fs::create_directories(files.panes.parent_path(), ignored);
+  std::ofstream(files.panes) << text_of(sizes_);
+  std::ofstream(files.hidden) << text_of(studio_.overlay);
 }
 
 // How long nothing need be done where nobody does anything. [s]
@@ -129,10 +141,10 @@ void Interface::draw_meanwhile() {
 void Interface::take_input() {
   for (const Chord& chord : window_.take_keys()) {
     // Keys that are typed into a field are the field's.
-    if (ImGui::GetIO().WantTextInput) continue;
+    if (is_typing()) continue;
     if (const auto action = studio_.hotkeys.action(chord); action && !nodes_.take(*action)) act(*action);
   }
-  if (const bool typing = ImGui::GetIO().WantTextInput; typing != typing_) {
+  if (const bool typing = is_typing(); typing != typing_) {
     typing_ = typing;
     studio_.trace.note(typing ? "keys to a field" : "keys to the window");
   }

@@ -9,6 +9,11 @@ void forget_left_typing() {
   if (ImGui::GetActiveID() != ImGui::GetCurrentContext()->InputTextState.ID) forget_typing();
 }
 
+bool is_typing() {
+  const ImGuiID active = ImGui::GetActiveID();
+  return active != 0 && active == ImGui::GetCurrentContext()->InputTextState.ID;
+}
+
 void forget_typing() {
   ImStb::StbUndoState& undo = ImGui::GetCurrentContext()->InputTextState.Stb.undostate;
   undo.undo_point = 0;

@@ -12,4 +12,8 @@ void forget_left_typing();
 /// Forgets those of the field that is being typed in: others have changed its text.
 void forget_typing();
 
+/// Whether keys are a field's. At once, where Dear ImGui's own word (WantTextInput) follows only after another
+/// frame, which may be long in coming where nothing moves.
+bool is_typing();
+
 }  // namespace plinian::window

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "host/window/overlay/ground_grid.h"
+#include "host/window/overlay/overlay_choice.h"
 #include "host/window/overlay/pick.h"
 #include "host/window/overlay/projection.h"
 
@@ -91,6 +92,16 @@ TEST(SelectCommand, FollowsTheKeysThatAreHeld) {
   EXPECT_EQ(select_command("", false, false, false, true), "select -clear");
   EXPECT_EQ(select_command("", false, false, false, false), "") << "nothing to clear";
   EXPECT_EQ(select_command("", true, false, false, true), "") << "a click that misses keeps what was added";
+}
+
+TEST(OverlayChoice, WhatIsHiddenIsRememberedAndUnknownWordsHideNothing) {
+  OverlayChoice choice;
+  EXPECT_EQ(text_of(choice), "");
+  choice.grid = choice.drawings = false;
+  const OverlayChoice again = read_overlay_choice(text_of(choice) + "nonsense\n");
+  EXPECT_FALSE(again.grid);
+  EXPECT_FALSE(again.drawings);
+  EXPECT_TRUE(again.axes && again.scale_bar && again.bounds && again.icons && again.gate);
 }
 
 }  // namespace

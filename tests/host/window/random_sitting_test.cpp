@@ -160,7 +160,9 @@ class RandomHand {
                                             "w",
                                             "e",
                                             "r",
-                                            "o"};
+                                            "o",
+                                            "n",
+                                            "Control_L+Shift_L+p"};
 
   Sitting& sitting_;
   std::mt19937 random_;
