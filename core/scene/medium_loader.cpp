@@ -11,6 +11,7 @@
 #include "core/media/frame_sequence.h"
 #include "core/media/procedural.h"
 #include "core/media/vdb_reader.h"
+#include "core/scene/medium_optics.h"
 #include "core/scene/nearest_word.h"
 #include "core/scene/placement.h"
 #include "core/scene/scene_file.h"
@@ -70,29 +71,6 @@ void refuse_flat(const MediumDescription& d) {
   if (scale.x * scale.y * scale.z == 0.0)
     throw std::runtime_error(
         fmt::format("{}: scale: no axis may be 0, or the volume has no inside", d.volume));
-}
-
-void set_optics(const MediumDescription& d, Medium& medium) {
-  const vec3 extinction = d.extinction.value_or(medium.sigma_s + medium.sigma_a);
-  vec3 albedo(0.0f);
-  for (int i = 0; i < 3; ++i) {
-    const float sum = medium.sigma_s[i] + medium.sigma_a[i];
-    albedo[i] = d.albedo ? (*d.albedo)[i] : sum > 0.0f ? medium.sigma_s[i] / sum : 0.0f;
-  }
-  if (d.albedo || d.extinction) {
-    medium.sigma_s = extinction * albedo;
-    medium.sigma_a = extinction * (vec3(1.0f) - albedo);
-  }
-  medium.sigma_s = d.sigma_s.value_or(medium.sigma_s);
-  medium.sigma_a = d.sigma_a.value_or(medium.sigma_a);
-
-  if (d.g) medium.phase.g = *d.g;
-  if (d.g_back) medium.phase.g_back = *d.g_back;
-  if (d.blend) medium.phase.blend = *d.blend;
-  if (d.phase)
-    medium.phase.kind = *d.phase;
-  else if (d.g && medium.phase.kind == PhaseKind::isotropic && *d.g != 0.0f)
-    medium.phase.kind = PhaseKind::henyey_greenstein;
 }
 
 // What the voxels of a medium mean to an eye: how far one sees into it.
@@ -194,8 +172,6 @@ Medium finish_medium(const MediumDescription& d, std::shared_ptr<const BrickVolu
   medium.world_from_medium = placed * medium.world_from_medium;
 
   set_optics(d, medium);
-  if (d.emission_scale) medium.emission.scale = *d.emission_scale;
-  if (d.emission_exposure) medium.emission.exposure = *d.emission_exposure;
   if (d.temperature_offset) medium.emission.temperature_offset = *d.temperature_offset;
   if (d.temperature_scale && source == Source::procedural)
     medium.emission.temperature_scale = *d.temperature_scale;

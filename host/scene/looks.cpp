@@ -14,6 +14,7 @@
 #include "host/graph/graph_error.h"
 #include "host/graph/values/hash.h"
 #include "host/scene/placed.h"
+#include "host/scene/snapshot.h"
 
 namespace plinian::scene {
 
@@ -134,6 +135,12 @@ void apply_look(graph::Session& session, const std::string& name, const Look& lo
   write("coefficients", look.medium.sigma_s || look.medium.sigma_a ? "sigma" : "albedo_extinction");
   write("look", graph::quote(look.name));
   write("look_hash", graph::quote(look.hash));
+}
+
+const graph::Node* medium_for_looks(const graph::Graph& graph) {
+  for (const graph::NodeId id : graph.selection())
+    if (graph.find(id)->type->name() == "medium") return graph.find(id);
+  return first_of_type(graph, "medium");
 }
 
 std::string look_text(graph::Session& session, const std::string& name, const std::string& look) {

@@ -29,6 +29,10 @@ std::vector<std::string> look_names();
 /// where the node is no medium.
 void apply_look(graph::Session& session, const std::string& node, const Look& look);
 
+/// The medium that looks are put on where none is named: that is selected, else the first; null: there is
+/// none.
+const graph::Node* medium_for_looks(const graph::Graph& graph);
+
 /// A file that puts on what the medium looks like now.
 std::string look_text(graph::Session& session, const std::string& node, const std::string& name);
 

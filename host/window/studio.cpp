@@ -51,6 +51,7 @@ Studio::Studio(std::function<void()> wake, const std::string& trace_path)
       developer(wake),
       comparison(workspace, development, wake),
       snapshots(workspace),
+      looks(make_renderer, wake),
       inspector(wake),
       files(workspace, commands, viewpoint, console, trace) {
   files.frame_all = [this] { viewpoint.frame(false, picture_size); };

@@ -18,6 +18,7 @@
 #include "host/window/files/scene_files.h"
 #include "host/window/handles/tool_choice.h"
 #include "host/window/hotkeys/hotkeys.h"
+#include "host/window/looks/look_pictures.h"
 #include "host/window/navigation/viewpoint.h"
 #include "host/window/overlay/overlay_choice.h"
 #include "host/window/platform/trace.h"
@@ -66,6 +67,7 @@ class Studio {
   // What it is compared with.
   Comparison comparison;
   Snapshots snapshots;
+  LookPictures looks;
   /// Renders the offline reference of what is looked at.
   void render_reference();
   /// Makes pictures of the scene that size [pixels], by commands.
@@ -88,7 +90,7 @@ class Studio {
   bool light_key_held = false;  // the mouse turns the key light
   bool focus_console = false, wants_quit = false, quit = false;
   bool ask_open = false, ask_save_as = false, ask_reference = false, ask_plate = false;
-  bool ask_playblast = false, show_snapshots = true;
+  bool ask_playblast = false, show_snapshots = true, show_looks = false;
   bool show_nodes = false;    // beneath the picture, in place of the console
   bool show_palette = false;  // the command palette
   std::string typed_ahead;    // what the command line is to begin with, taken from here

@@ -23,12 +23,6 @@ std::string spaced(const std::string& name) {
   return words;
 }
 
-const graph::Node* medium_of(const graph::Graph& graph) {
-  for (const graph::NodeId id : graph.selection())
-    if (graph.find(id)->type->name() == "medium") return graph.find(id);
-  return scene::first_of_type(graph, "medium");
-}
-
 bool needs_words(const graph::CommandSpec& spec) {
   return std::any_of(spec.parameters.begin(), spec.parameters.end(),
                      [](const graph::CommandParameter& parameter) { return !parameter.optional; });
@@ -55,7 +49,7 @@ std::vector<PaletteEntry> palette_entries(graph::Session& session, const Hotkeys
                        .keys = "",
                        .action = {},
                        .line = "select " + node->name});
-  if (const graph::Node* medium = medium_of(graph))
+  if (const graph::Node* medium = scene::medium_for_looks(graph))
     for (const std::string& look : scene::look_names())
       entries.push_back({.title = look,
                          .kind = "look",

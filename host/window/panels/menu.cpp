@@ -6,6 +6,8 @@
 
 #include "host/scene/looks.h"
 #include "host/window/hotkeys/actions.h"
+#include "host/window/panels/look_gallery.h"
+#include "host/window/panels/widgets.h"
 #include "host/window/platform/theme.h"
 
 namespace plinian::window {
@@ -46,18 +48,14 @@ void create_menu(Studio& studio) {
 }
 
 void looks_menu(Studio& studio) {
-  const graph::Graph& graph = studio.session().graph();
-  const graph::Node* medium = nullptr;
-  for (const graph::NodeId id : graph.selection())
-    if (graph.find(id)->type->name() == "medium") medium = graph.find(id);
-  if (!medium) medium = scene::first_of_type(graph, "medium");
-  if (!medium) {
-    ImGui::TextDisabled("the scene has no medium");
-    return;
-  }
-  ImGui::TextDisabled("put on %s", medium->name.c_str());
+  ImGui::MenuItem("Gallery", "", &studio.show_looks);
+  note_item(studio.trace, "looks gallery");
+  ImGui::Separator();
+  const graph::Node* medium = scene::medium_for_looks(studio.session().graph());
+  ImGui::TextDisabled("%s", medium ? ("put on " + medium->name).c_str() : "the scene has no medium");
+  if (!medium) return;
   for (const std::string& look : scene::look_names())
-    if (ImGui::MenuItem(look.c_str())) studio.run("preset apply " + graph::quote(look) + " " + medium->name);
+    if (ImGui::MenuItem(look.c_str())) put_on(studio, look);
 }
 
 void recent_menu(Studio& studio) {

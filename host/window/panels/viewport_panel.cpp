@@ -135,6 +135,7 @@ void ViewportPanel::show(Studio& studio, Drawings& drawings, const PaneRect& pan
   ImGui::End();
   probe_.show(studio, pane);
   snapshots_.show(studio, pane);
+  looks_.show(studio, pane);
 }
 
 }  // namespace plinian::window

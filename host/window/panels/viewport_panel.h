@@ -7,6 +7,7 @@
 #include "host/window/panels/comparison_overlay.h"
 #include "host/window/panels/layout.h"
 #include "host/window/panels/probe_panel.h"
+#include "host/window/panels/look_gallery.h"
 #include "host/window/panels/snapshot_strip.h"
 #include "host/window/panels/viewport_hand.h"
 #include "host/window/studio.h"
@@ -26,6 +27,7 @@ class ViewportPanel {
   PictureTexture texture_;
   ComparisonOverlay comparison_;
   SnapshotStrip snapshots_;
+  LookGallery looks_;
   ViewportHand hand_;
   Overlay overlay_;
   ViewportHandles handles_;
