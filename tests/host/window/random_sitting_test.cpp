@@ -50,7 +50,11 @@ class RandomHand {
         return sitting_.memory();
       }
     }
-    throw std::runtime_error("the scene could not be emptied");
+    std::string last;
+    const std::vector<std::string>& lines = sitting_.lines();
+    for (std::size_t i = lines.size() - std::min<std::size_t>(lines.size(), 25); i < lines.size(); ++i)
+      last += "\n  " + lines[i];
+    throw std::runtime_error("the scene could not be emptied; the trace ends with" + last);
   }
 
   void act() {
