@@ -12,28 +12,30 @@ std::string problem_of_one(const Graph& graph, const Plug& source, const Plug& a
   const SchemaAttribute &from = graph.attribute(source), &to = graph.attribute(array_or_plug);
   const Plug destination = next_free(graph, array_or_plug);
   const Node& node = *graph.find(destination.node);
-  const std::string source_name = graph.name_of(source), name = graph.name_of(destination);
+  // Names are for those that are refused.
+  const auto source_name = [&] { return graph.name_of(source); };
+  const auto name = [&] { return graph.name_of(destination); };
   if (from.array != no_attribute && source.element < 0)
-    return source_name + " is an array: name an element, as " + from.path + "[0]";
-  if (!from.spec.connectable) return source_name + " cannot be connected";
-  if (!to.spec.connectable) return name + " cannot be connected";
-  if (to.spec.output || to.spec.read_only) return name + " is an output and cannot be driven";
-  if (node.is_locked(destination.attribute, destination.element)) return name + " is locked";
+    return source_name() + " is an array: name an element, as " + from.path + "[0]";
+  if (!from.spec.connectable) return source_name() + " cannot be connected";
+  if (!to.spec.connectable) return name() + " cannot be connected";
+  if (to.spec.output || to.spec.read_only) return name() + " is an output and cannot be driven";
+  if (node.is_locked(destination.attribute, destination.element)) return name() + " is locked";
   const std::string problem =
       connection_problem(from.spec, source.component >= 0, to.spec, destination.component >= 0);
-  if (!problem.empty()) return "cannot connect " + source_name + " to " + name + ": " + problem;
+  if (!problem.empty()) return "cannot connect " + source_name() + " to " + name() + ": " + problem;
   const Input* same = node.input(destination.attribute, destination.element, destination.component);
   if (same && same->source == source) return "";
   for (const Input& input : node.inputs_of(destination.attribute, destination.element)) {
     const bool overlaps =
         destination.component < 0 || input.component < 0 || input.component == destination.component;
     if (overlaps && !replace)
-      return name + " is already driven by " + graph.name_of(input.source) +
+      return name() + " is already driven by " + graph.name_of(input.source) +
              ": disconnect it first, or connect with -force";
   }
   const auto cycle = cycle_through(graph, source, destination);
   if (!cycle.empty())
-    return "cannot connect " + source_name + " to " + name + ": it would close the cycle " +
+    return "cannot connect " + source_name() + " to " + name() + ": it would close the cycle " +
            describe_path(graph, cycle) + " -> " + graph.name_of(destination.whole());
   return "";
 }
@@ -57,9 +59,8 @@ std::string connect_problem(const Graph& graph, const Plug& source, const Plug& 
     return graph.name_of(source) + " and " + graph.name_of(destination) +
            " hold different numbers of attributes";
   for (std::size_t i = 0; i < sources.size(); ++i)
-    if (std::string problem =
-            problem_of_one(graph, {source.node, sources[i], source.element},
-                           {destination.node, targets[i], destination.element}, replace);
+    if (std::string problem = problem_of_one(graph, {source.node, sources[i], source.element},
+                                             {destination.node, targets[i], destination.element}, replace);
         !problem.empty())
       return problem;
   return "";

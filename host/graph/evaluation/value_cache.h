@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "host/graph/values/flat_map.h"
 #include "host/graph/evaluation/result.h"
+#include "host/graph/values/flat_map.h"
 
 namespace plinian::graph {
 

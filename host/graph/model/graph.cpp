@@ -64,7 +64,8 @@ std::string Graph::name_of(const Plug& plug) const {
 
 Plug Graph::plug(std::string_view name) const {
   const std::size_t dot = name.find('.');
-  if (dot == name.npos || dot == 0) throw GraphError(shown(name) + " names no attribute: write NODE.ATTRIBUTE");
+  if (dot == name.npos || dot == 0)
+    throw GraphError(shown(name) + " names no attribute: write NODE.ATTRIBUTE");
   return plug(get(name.substr(0, dot)), name.substr(dot + 1));
 }
 

@@ -1,6 +1,7 @@
 // Small pictures to be clicked.
 #include "host/window/panels/look_gallery.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -19,13 +20,17 @@ void put_on(Studio& studio, const std::string& look) {
 void LookGallery::show(Studio& studio, const PaneRect& pane) {
   if (!studio.show_looks) {
     textures_.clear();
+    asked_.clear();
     return;
   }
   const graph::Node* medium = scene::medium_for_looks(studio.session().graph());
   const ViewPicturePtr shown = studio.renderer.picture();
   // They are made where the hands and the picture are at rest.
-  if (medium && shown && shown->at_rest && !studio.is_hand_on())
-    studio.looks.update(shown->scene, studio.development.view);
+  if (medium && shown && shown->at_rest && !studio.is_hand_on()) {
+    std::string asks = fmt::format("{} {}", shown->number, words_of(studio.development));
+    if (asks != asked_) studio.looks.update(shown->scene, studio.development.view);
+    asked_ = std::move(asks);
+  }
   const auto pictures = studio.looks.pictures();
   const float height = scaled(LookPictures::height), label = ImGui::GetTextLineHeight();
   float widest = scaled(90);

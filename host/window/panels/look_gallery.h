@@ -17,6 +17,7 @@ class LookGallery {
 
  private:
   std::map<std::string, std::unique_ptr<PictureTexture>> textures_;  // by name of the look
+  std::string asked_;  // number of the picture and how it is seen, that looks were asked for last
 };
 
 /// Puts a look on the medium for looks, by a command.

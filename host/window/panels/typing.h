@@ -1,7 +1,7 @@
 // What Dear ImGui remembers of what was typed in a field.
 //
-// As of 1.86 it keeps the steps of undo of a field that is left and entered again, and of one whose text others
-// change. To take one back in a text that it was not made in writes outside of that text.
+// As of 1.86 it keeps the steps of undo of a field that is left and entered again, and of one whose text
+// others change. To take one back in a text that it was not made in writes outside of that text.
 #pragma once
 
 namespace plinian::window {
@@ -12,8 +12,8 @@ void forget_left_typing();
 /// Forgets those of the field that is being typed in: others have changed its text.
 void forget_typing();
 
-/// Whether keys are a field's. At once, where Dear ImGui's own word (WantTextInput) follows only after another
-/// frame, which may be long in coming where nothing moves.
+/// Whether keys are a field's. At once, where Dear ImGui's own word (WantTextInput) follows only after
+/// another frame, which may be long in coming where nothing moves.
 bool is_typing();
 
 }  // namespace plinian::window
