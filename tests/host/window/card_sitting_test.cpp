@@ -50,7 +50,7 @@ class CardSitting : public DrawingSitting {
 };
 
 TEST_F(CardSitting, ItsShaderSeesTheShadowsOfThePicture) {
-  keep("card-1-from-above.png");
+  sitting_->keep("card-1-from-above.png");
   EXPECT_LT(seen(below)[0], 20) << "in the shadow";
   EXPECT_GT(seen(below)[1], 235);
   EXPECT_GT(seen(beside)[0], 235) << "in the light";
@@ -61,7 +61,7 @@ TEST_F(CardSitting, ItsShaderSeesTheShadowsOfThePicture) {
   std::size_t since = sitting_->now();
   command("setAttr light0.rotate 0 90 0");
   wait_for_rest(since);
-  keep("card-2-from-the-side.png");
+  sitting_->keep("card-2-from-the-side.png");
   EXPECT_GT(seen(below)[0], 235);
   since = sitting_->now();
   command("undo");
@@ -104,7 +104,7 @@ TEST_F(CardSitting, WhatFailsIsToldOnceAndLeavesThePicture) {
   // One that paints over everything and makes an error of GL.
   command("setAttr card1.fault error");
   EXPECT_EQ(told("draw failed: it left the GL error 0x0500"), 1);
-  keep("card-3-failed.png");
+  sitting_->keep("card-3-failed.png");
   EXPECT_EQ(seen({0.0, 0.8, 0.6}), ball);
   EXPECT_EQ(seen(below), (std::array<int, 3>{0, 0, 0}));
   command("resetAttr card1.fault");

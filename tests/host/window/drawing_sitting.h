@@ -4,13 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cstdlib>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "core/files/atomic_file.h"
-#include "core/image/image_io.h"
 #include "tests/host/window/sitting.h"
 
 namespace plinian {
@@ -41,12 +38,6 @@ class DrawingSitting : public testing::Test {
     sitting_->type(line);
     sitting_->stroke("Return");
     sitting_->wait_for(" still", sitting_->wait_for("ran " + line, before));
-  }
-  void keep(const std::string& name) {
-    const char* folder = std::getenv("PLINIAN_SITTING_PICTURES");
-    if (!folder) return;
-    const Pixels seen = sitting_->pixels({0, 0, size.x, size.y});
-    write_file(std::string(folder) + "/" + name, encode_png(seen.rgb, seen.width, seen.height));
   }
   /// Waits for the picture of what was asked for to be at rest on the screen.
   void wait_for_rest(std::size_t since) {

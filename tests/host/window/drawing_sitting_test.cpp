@@ -36,7 +36,7 @@ TEST_F(MarkerSitting, AMarkerIsSeenWhereItStandsUntilItIsHiddenOrItsPluginGoes) 
   sit_down();
   command("addMarker 1.5");
   command("select -clear");
-  keep("drawing-1-marker.png");
+  sitting_->keep("drawing-1-marker.png");
   const double wide = points(1.5);
   // As many pixels as the steps of a circle, but for those that the interface writes over.
   const int whole = int(8.0 * wide / std::sqrt(2.0));
@@ -81,11 +81,11 @@ TEST_F(MarkerSitting, AMarkerIsSeenWhereItStandsUntilItIsHiddenOrItsPluginGoes) 
   command("setAttr marker1.radius 0.5");
   expect_none("within the ball");
   command("setAttr t.translate 0 0 2");
-  keep("drawing-2-before.png");
+  sitting_->keep("drawing-2-before.png");
   expect_ring(points(0.5, 2.0), "before it");
   command("setAttr t.translate 0 0 -2");
   expect_none("behind it");
-  keep("drawing-3-behind.png");
+  sitting_->keep("drawing-3-behind.png");
   command("setAttr marker1.radius 1.5");
   expect_ring(points(1.5, -2.0), "around it, from behind");
 
@@ -107,7 +107,7 @@ TEST_F(MarkerSitting, AClickOnItSelectsIt) {
   std::size_t before = sitting_->now();
   sitting_->click({middle.x - int(points(1.5)), middle.y});
   sitting_->wait_for(" still", sitting_->wait_for("ran select marker1", before));
-  keep("drawing-4-selected.png");
+  sitting_->keep("drawing-4-selected.png");
   EXPECT_GT(ring({255, 255, 255}, points(1.5)).first, 200);
   EXPECT_EQ(ring(orange, points(1.5)).first, 0);
   before = sitting_->now();
@@ -143,7 +143,7 @@ TEST_F(MarkerSitting, ItIsDrawnAgainOnlyWhenThereIsSomethingNew) {
   sitting_->drag({place.x + 60, place.y + 60}, {place.x + 160, place.y + 60});
   sitting_->key_up("Alt_L");
   wait_for_rest(since);
-  keep("drawing-5-turned.png");
+  sitting_->keep("drawing-5-turned.png");
   // Each drawing is over the picture that was shown last, not over the view that is asked for.
   std::string shown;
   int followed = 0;

@@ -2,13 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 
-#include "core/files/atomic_file.h"
-#include "core/image/image_io.h"
 #include "tests/host/window/sitting.h"
 
 namespace plinian {
@@ -79,12 +76,6 @@ class HandlesSitting : public testing::Test {
     sitting_->stroke(key);
     sitting_->wait_for(" still", before);
   }
-  void keep(const std::string& name) {
-    const char* folder = std::getenv("PLINIAN_SITTING_PICTURES");
-    if (!folder) return;
-    const Pixels seen = sitting_->pixels({0, 0, size.x, size.y});
-    write_file(std::string(folder) + "/" + name, encode_png(seen.rgb, seen.width, seen.height));
-  }
   /// Middle of what is bright in the picture. [points] from its left
   double brightness_middle() {
     const ivec4 place = sitting_->item("picture");
@@ -117,7 +108,7 @@ TEST_F(HandlesSitting, AnArrowMovesAVolumeAlongItAloneAndUndoTakesTheWholeDragBa
   const std::string first = saved();
   use("w");
   const double middle = brightness_middle();
-  keep("handles-1-translate.png");
+  sitting_->keep("handles-1-translate.png");
   before = sitting.now();
   const ivec2 grip = sitting.middle("handle x");
   sitting.move(grip);
@@ -127,7 +118,7 @@ TEST_F(HandlesSitting, AnArrowMovesAVolumeAlongItAloneAndUndoTakesTheWholeDragBa
   for (int i = 1; i <= 10; ++i) sitting.move(grip + ivec2(9 * i, 2 * i));
   sitting.wait_for_mouse(grip + ivec2(90, 20), 1);
   sitting.wait_for("setAttr medium_place.translate.x", before);
-  keep("handles-2-dragged.png");
+  sitting_->keep("handles-2-dragged.png");
   sitting.release();
   wait_for_rest(before);
   EXPECT_EQ(count("select", before), 0) << "a press on a handle selects nothing";
@@ -152,7 +143,7 @@ TEST_F(HandlesSitting, RingsTurnTheKeyBoxesScaleAndEscapeTakesBack) {
   command("select key");
   const std::string first = saved();
   use("e");
-  keep("handles-3-rotate.png");
+  sitting_->keep("handles-3-rotate.png");
   std::size_t before = sitting.now();
   ivec2 grip = sitting.middle("handle view");
   sitting.drag(grip, grip + ivec2(-30, 40));
@@ -165,7 +156,7 @@ TEST_F(HandlesSitting, RingsTurnTheKeyBoxesScaleAndEscapeTakesBack) {
 
   command("select medium_place");
   use("r");
-  keep("handles-4-scale.png");
+  sitting_->keep("handles-4-scale.png");
   before = sitting.now();
   grip = sitting.middle("handle y");
   sitting.drag(grip, grip + ivec2(0, -40));
@@ -203,13 +194,13 @@ TEST_F(HandlesSitting, WhatIsLockedStaysAndSaysWhy) {
   command("select medium_place");
   const std::string first = saved();
   use("w");
-  keep("handles-5-locked.png");
+  sitting_->keep("handles-5-locked.png");
   std::size_t before = sitting.now();
   ivec2 grip = sitting.middle("handle x");
   sitting.drag(grip, grip + ivec2(60, 0));
   sitting.wait_for("medium_place.translate.x is locked", before);
   sitting.wait_for(" still", before);
-  keep("handles-6-refused.png");
+  sitting_->keep("handles-6-refused.png");
   EXPECT_EQ(count("setAttr", before), 0);
   before = sitting.now();
   grip = sitting.middle("handle y");
@@ -230,7 +221,7 @@ TEST_F(HandlesSitting, AHandleOfAPluginSetsItsAttributeInOneStep) {
   command("select lamp");
   const std::string first = saved();
   use("w");
-  keep("handles-7-plugin.png");
+  sitting_->keep("handles-7-plugin.png");
   std::size_t before = sitting.now();
   const ivec2 grip = sitting.middle("handle range");
   sitting.drag(grip, grip + ivec2(25, -50));

@@ -1,12 +1,9 @@
 // The node editor by hand: connects, takes back, takes off.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 
-#include "core/files/atomic_file.h"
-#include "core/image/image_io.h"
 #include "tests/host/window/sitting.h"
 
 namespace plinian {
@@ -41,11 +38,8 @@ class NodesSitting : public testing::Test {
     return {std::istreambuf_iterator<char>(file), {}};
   }
   void keep(const std::string& name) {
-    const char* folder = std::getenv("PLINIAN_SITTING_PICTURES");
-    if (!folder) return;
     sitting_->wait_for(" still", sitting_->now() - 1);
-    const Pixels seen = sitting_->pixels({0, 0, size.x, size.y});
-    write_file(std::string(folder) + "/" + name, encode_png(seen.rgb, seen.width, seen.height));
+    sitting_->keep(name);
   }
 
   std::unique_ptr<Sitting> sitting_;

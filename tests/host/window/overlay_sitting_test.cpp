@@ -1,10 +1,6 @@
 // What is drawn over the picture and what a click in it selects, by hand.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
-#include "core/files/atomic_file.h"
-#include "core/image/image_io.h"
 #include "tests/host/window/sitting.h"
 
 namespace plinian {
@@ -18,11 +14,8 @@ TEST(OverlaySitting, AClickSelectsWhatIsUnderItAndWhatIsDrawnCanBeHidden) {
     return line.find(" picture ") != line.npos && line.find(" rest ") != line.npos;
   }));
   const auto keep = [&](const char* name) {
-    const char* folder = std::getenv("PLINIAN_SITTING_PICTURES");
-    if (!folder) return;
     sitting.wait_for(" still", sitting.now() - 1);
-    const Pixels seen = sitting.pixels({0, 0, size.x, size.y});
-    write_file(std::string(folder) + "/" + name, encode_png(seen.rgb, seen.width, seen.height));
+    sitting.keep(name);
   };
   const ivec4 picture = sitting.item("picture");
   keep("overlay.png");

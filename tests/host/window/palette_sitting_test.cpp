@@ -1,10 +1,6 @@
 // The command palette by hand.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
-#include "core/files/atomic_file.h"
-#include "core/image/image_io.h"
 #include "tests/host/window/sitting.h"
 
 namespace plinian {
@@ -15,12 +11,6 @@ TEST(PaletteSitting, AFewLettersSelectANodeTakeAnActionAndBeginACommand) {
   constexpr ivec2 size(900, 600);
   Sitting sitting({"sphere"}, size);
   sitting.wait_for(" still", sitting.wait_for(" rest "));
-  const auto keep = [&](const char* name) {
-    const char* folder = std::getenv("PLINIAN_SITTING_PICTURES");
-    if (!folder) return;
-    const Pixels seen = sitting.pixels({0, 0, size.x, size.y});
-    write_file(std::string(folder) + "/" + name, encode_png(seen.rgb, seen.width, seen.height));
-  };
   const auto find = [&](const std::string& letters, const std::string& wanted) {
     sitting.stroke("Control_L+Shift_L+p");
     sitting.wait_for_keys("keys to a field");
@@ -30,7 +20,7 @@ TEST(PaletteSitting, AFewLettersSelectANodeTakeAnActionAndBeginACommand) {
   };
   std::size_t before = sitting.now();
   find("rim", "node rim");
-  keep("palette.png");
+  sitting.keep("palette.png");
   sitting.stroke("Return");
   sitting.wait_for("ran select rim", before);
   sitting.wait_for_keys("keys to the window");
@@ -38,7 +28,7 @@ TEST(PaletteSitting, AFewLettersSelectANodeTakeAnActionAndBeginACommand) {
   // What was used stands first; the one below it is taken by an arrow.
   sitting.stroke("Control_L+Shift_L+p");
   sitting.wait_for_keys("keys to a field");
-  keep("palette-recent.png");
+  sitting.keep("palette-recent.png");
   before = sitting.now();
   sitting.stroke("Return");
   sitting.wait_for("ran select rim", before);
@@ -56,7 +46,7 @@ TEST(PaletteSitting, AFewLettersSelectANodeTakeAnActionAndBeginACommand) {
   sitting.wait_for_keys("keys to a field");
   before = sitting.now();
   sitting.type("key.exposure 2");
-  keep("palette-line.png");
+  sitting.keep("palette-line.png");
   sitting.stroke("Return");
   sitting.wait_for("ran setAttr key.exposure 2", before);
 }

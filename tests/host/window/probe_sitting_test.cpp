@@ -6,8 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "core/files/atomic_file.h"
-#include "core/image/image_io.h"
 #include "tests/host/cli/program.h"
 #include "tests/host/window/sitting.h"
 
@@ -75,11 +73,8 @@ TEST(ProbeSitting, AClickTellsWhatTheCommandLineTellsOfTheSamePixel) {
   EXPECT_GT(second.t, first.t);
   EXPECT_EQ(second.x, first.x);
   EXPECT_NE(second.exact, first.exact);
-  if (const char* folder = std::getenv("PLINIAN_SITTING_PICTURES")) {
-    sitting.wait_for(" still", then);
-    const Pixels seen = sitting.pixels({0, 0, size.x, size.y});
-    write_file(std::string(folder) + "/probe.png", encode_png(seen.rgb, seen.width, seen.height));
-  }
+  sitting.wait_for(" still", then);
+  sitting.keep("probe.png");
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ class RandomHand {
         return sitting_.memory();
       }
     }
+    sitting_.keep("random-not-emptied.png");
     std::string last;
     const std::vector<std::string>& lines = sitting_.lines();
     for (std::size_t i = lines.size() - std::min<std::size_t>(lines.size(), 25); i < lines.size(); ++i)

@@ -19,6 +19,9 @@
 #include <thread>
 #include <utility>
 
+#include "core/files/atomic_file.h"
+#include "core/image/image_io.h"
+
 namespace plinian {
 
 namespace fs = std::filesystem;
@@ -361,6 +364,13 @@ Pixels Sitting::pixels(ivec4 area) {
     }
   XDestroyImage(image);
   return pixels;
+}
+
+void Sitting::keep(const std::string& name) {
+  const char* folder = std::getenv("PLINIAN_SITTING_PICTURES");
+  if (!folder) return;
+  const Pixels seen = pixels({0, 0, size_.x, size_.y});
+  write_file((fs::path(folder) / name).string(), encode_png(seen.rgb, seen.width, seen.height));
 }
 
 void Sitting::ask_to_close() {

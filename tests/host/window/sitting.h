@@ -62,6 +62,8 @@ class Sitting {
   void type(const std::string& text);
 
   Pixels pixels(ivec4 area);
+  /// Where PLINIAN_SITTING_PICTURES names a folder, keeps there what is on the screen, to be looked at.
+  void keep(const std::string& name);
   /// Ends the program, as a crash would unless the signal is another, and starts it anew.
   void kill_and_start_again(const std::vector<std::string>& arguments, int signal = SIGKILL);
   void resize(ivec2 size);

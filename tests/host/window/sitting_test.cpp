@@ -18,16 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where PLINIAN_SITTING_PICTURES names a folder, what was seen is kept there to be looked at.
-void keep(Sitting& sitting, const std::string& name, ivec2 size = {1000, 560}) {
-  const char* folder = std::getenv("PLINIAN_SITTING_PICTURES");
-  if (!folder) return;
-  const Pixels seen = sitting.pixels({0, 0, size.x, size.y});
-  const auto png = encode_png(seen.rgb, seen.width, seen.height);
-  std::ofstream(fs::path(folder) / (name + ".png"), std::ios::binary)
-      .write(reinterpret_cast<const char*>(png.data()), std::streamsize(png.size()));
-}
-
 std::string text_of(const fs::path& path) {
   std::ifstream file(path);
   return {std::istreambuf_iterator<char>(file), {}};
@@ -106,7 +96,7 @@ TEST_F(WindowSitting, LooksTunesTakesBackAndSaves) {
     sitting.click(sitting.middle(drawn));
   sitting.click(nowhere);
   const ivec4 place = sitting.item("picture");
-  keep(sitting, "1-start");
+  sitting.keep("1-start.png");
 
   // At rest the window shows what a batch job renders.
   sitting.move({5, sitting.middle("node camera").y});
@@ -134,7 +124,7 @@ TEST_F(WindowSitting, LooksTunesTakesBackAndSaves) {
   at = wait_for_rest(sitting, at);
   const ivec4 wide = sitting.item("picture");
   EXPECT_GE(wide.z, place.z) << "a camera of one's own fills the pane";
-  keep(sitting, "2-tumbled");
+  sitting.keep("2-tumbled.png");
   EXPECT_LT(psnr(sitting.pixels(place), seen.rgb), 30.0);
   sitting.stroke("bracketleft");
   at = wait_for_rest(sitting, at + 1);
@@ -143,11 +133,11 @@ TEST_F(WindowSitting, LooksTunesTakesBackAndSaves) {
   // A dragged value is one step of undo.
   sitting.click(sitting.middle("node medium"));
   const ivec2 field = sitting.middle("medium.density_scale");
-  keep(sitting, "3-selected");
+  sitting.keep("3-selected.png");
   const std::size_t before_drag = sitting.now();
   sitting.drag(field, field + ivec2(60, 0));
   at = wait_for_rest(sitting, before_drag);
-  keep(sitting, "4-dragged");
+  sitting.keep("4-dragged.png");
   command(sitting, "save dragged.plinian");
   EXPECT_NE(text_of(sitting.folder() / "first.plinian"), text_of(sitting.folder() / "dragged.plinian"));
   sitting.click(nowhere);  // out of the command line
@@ -180,7 +170,7 @@ TEST_F(WindowSitting, AnswersWhileItRenders) {
   sitting.move({5, 5});
   const std::size_t sharp = sitting.wait_for(" refining ", sitting.now());
   const Shown last = shown_in(sitting.line(sharp));
-  keep(sitting, "5-high");
+  sitting.keep("5-high.png");
   double longest = 0.0;
   int pictures = 0;
   for (std::size_t i = since; i < sitting.now(); ++i) {
@@ -224,7 +214,7 @@ TEST_F(WindowSitting, ComparesWithWhatWasKeptAndRelightsWithoutRendering) {
   sitting.drag(exposure, exposure + ivec2(30, 0));
   sitting.wait_for("ran setAttr key.exposure", at);
   at = wait_for_rest(sitting, at);
-  keep(sitting, "7-wipe");
+  sitting.keep("7-wipe.png");
   EXPECT_LT(psnr_in(sitting.line(at)), 60.0) << sitting.line(at);
   for (std::size_t i = at; i < sitting.now(); ++i)
     EXPECT_EQ(sitting.line(i).find("quick"), std::string::npos)
@@ -234,7 +224,7 @@ TEST_F(WindowSitting, ComparesWithWhatWasKeptAndRelightsWithoutRendering) {
   at = sitting.wait_for("ran undo", at);
   // A picture of the drag may still come; the one that was kept comes after it.
   sitting.wait_for([](const std::string& line) { return psnr_in(line) > 100.0; }, at);
-  keep(sitting, "9-undone");
+  sitting.keep("9-undone.png");
   const ivec4 place = sitting.item("picture");
   const ivec2 line(place.x + place.z / 2, place.y + place.w / 2);
   sitting.drag(line, line + ivec2(-60, 0));
@@ -246,12 +236,12 @@ TEST_F(WindowSitting, ComparesWithWhatWasKeptAndRelightsWithoutRendering) {
   sitting.drag(grip, grip + ivec2(-80, -20));
   sitting.move({5, 5});
   EXPECT_LT(sitting.middle("wipe grip").x, grip.x - 40);
-  keep(sitting, "9-turned");
+  sitting.keep("9-turned.png");
   at = sitting.now();
   sitting.stroke("Shift_L+d");
   sitting.move({5, 5});
   sitting.wait_for("picture", at);
-  keep(sitting, "8-difference");
+  sitting.keep("8-difference.png");
 }
 
 // A picture that a batch job made of the scene, under another exposure and before another background.
@@ -275,7 +265,7 @@ TEST_F(WindowSitting, MeasuresAgainstAPictureFromAFileAndRestoresASnapshot) {
       at);
   EXPECT_GT(psnr_in(sitting.line(at)), 50.0) << "it is the scene's own picture: " << sitting.line(at);
   sitting.wait_for(" still", at);
-  keep(sitting, "10-file");
+  sitting.keep("10-file.png");
   // A snapshot brings its scene back, reference and all; one step of undo.
   command(sitting, "save before.plinian");
   sitting.click({sitting.item("picture").x + 3, sitting.item("picture").y + 3});
@@ -287,7 +277,7 @@ TEST_F(WindowSitting, MeasuresAgainstAPictureFromAFileAndRestoresASnapshot) {
   sitting.click(sitting.middle("snapshot 1"), 3);
   sitting.click(sitting.middle("restore snapshot 1"));
   sitting.wait_for("ran restoreSnapshot", at);
-  keep(sitting, "11-restored");
+  sitting.keep("11-restored.png");
   command(sitting, "save after.plinian");
   EXPECT_EQ(text_of(sitting.folder() / "before.plinian"), text_of(sitting.folder() / "after.plinian"));
 }
@@ -301,7 +291,7 @@ TEST_F(WindowSitting, AsksAboutUnsavedChanges) {
   };
   command(sitting, "createNode transform");
   ask();
-  keep(sitting, "6-question");
+  sitting.keep("6-question.png");
   sitting.click(sitting.middle("unsaved cancel"));
   command(sitting, "save kept.plinian");
   EXPECT_NE(text_of(sitting.folder() / "kept.plinian").find("node transform transform1"), std::string::npos);
@@ -345,7 +335,7 @@ TEST_F(WindowSitting, OffersAfterACrashWhatWasNotSaved) {
   sitting.wait_for("autosaved", before);
   sitting.kill_and_start_again(arguments);
   sitting.wait_for(" still");
-  keep(sitting, "7-recovery");
+  sitting.keep("7-recovery.png");
   sitting.click(sitting.middle("recovery recover"));
   sitting.wait_for("recovered");
   // It is the scene of its own file, with changes that are not saved yet.
