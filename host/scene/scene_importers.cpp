@@ -21,6 +21,13 @@ graph::CommandResult import_input(graph::Session& session, const graph::Argument
   return report.nodes;
 }
 
+// Media that are no file.
+std::vector<std::string> named_media() {
+  std::vector<std::string> names = procedural_kinds();
+  names.insert(names.end(), analytic_media.begin(), analytic_media.end());
+  return names;
+}
+
 }  // namespace
 
 void add_scene_importers(graph::Session& session) {
@@ -34,10 +41,10 @@ void add_scene_importers(graph::Session& session) {
        .export_file = {}});
   session.file_types().add(
       {.name = "procedural medium",
-       .help = "A medium that is computed, by its name.",
+       .help = "A medium that is computed, or a box or sphere of one density, by its name.",
        .plugin = "",
        .extensions = {},
-       .words = procedural_kinds(),
+       .words = named_media(),
        .import_file = [](graph::Session& s, const graph::Arguments& a) { return import_input(s, a, true); },
        .export_file = {}});
   session.file_types().add(

@@ -151,7 +151,8 @@ bool compute_plugs(graph::Session& session, const std::vector<Plug>& plugs,
     if (ended) break;
     double share = 0.0;
     for (const auto& running : evaluator.progress()) share = running.fraction;
-    if (wanted && progress && !progress(share)) {
+    // Whoever draws by it goes on doing so until all has stopped.
+    if (progress && !progress(share) && wanted) {
       wanted = false;
       evaluator.cancel(request);
     }

@@ -13,6 +13,7 @@
 #include "core/scene/resources.h"
 #include "host/window/hotkeys/actions.h"
 #include "host/window/panels/menu.h"
+#include "host/window/panels/open_popups.h"
 #include "host/window/panels/popups.h"
 #include "host/window/panels/status_line.h"
 #include "host/window/panels/typing.h"
@@ -126,23 +127,29 @@ void Interface::turn() {
   }
 }
 
+// Keys that are typed into a field are the field's, and those that answer a question the question's.
+std::optional<Action> Interface::action_of(const Chord& chord) const {
+  if (is_typing()) return std::nullopt;
+  const std::optional<Action> action = studio_.hotkeys.action(chord);
+  if (!is_popup_open()) return action;
+  if (action == Action::cancel) close_menu();
+  return std::nullopt;
+}
+
 // While a job runs, what is looked at goes on.
 void Interface::draw_meanwhile() {
   note_work(false);
   window_.wait(0.0);
   note_work(true);
   for (const Chord& chord : window_.take_keys())
-    if (const auto action = studio_.hotkeys.action(chord); action && is_of_the_view(*action))
-      window::act(studio_, *action);
+    if (const auto action = action_of(chord); action && is_of_the_view(*action)) window::act(studio_, *action);
   studio_.update_picture();
   if (earliness() <= 0.0) draw();
 }
 
 void Interface::take_input() {
   for (const Chord& chord : window_.take_keys()) {
-    // Keys that are typed into a field are the field's.
-    if (is_typing()) continue;
-    if (const auto action = studio_.hotkeys.action(chord); action && !nodes_.take(*action)) act(*action);
+    if (const auto action = action_of(chord); action && !nodes_.take(*action)) act(*action);
   }
   if (const bool typing = is_typing(); typing != typing_) {
     typing_ = typing;

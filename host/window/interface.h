@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 
 #include "host/window/drawing/drawings.h"
 #include "host/window/nodes/node_panel.h"
@@ -35,6 +36,7 @@ class Interface {
   void show_panels();
   void show_splitters(const Panes& panes);
   void show_dialogs();
+  std::optional<Action> action_of(const Chord& chord) const;
   void act(Action action);
   void settle_title();
   void note_work(bool waited);

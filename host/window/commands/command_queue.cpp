@@ -5,6 +5,8 @@
 
 #include <utility>
 
+#include "core/scene/scene_loader.h"
+
 namespace plinian::window {
 
 CommandQueue::CommandQueue(graph::Session& session, ConsoleLog& console, Trace& trace)
@@ -30,15 +32,25 @@ bool CommandQueue::run_now(const std::string& line, const std::string& merge_key
   bool done = false;
   merge_key_ = merge_key;
   const double begin = trace_.milliseconds();
+  // One that is part of a job is cancelled with it.
+  const bool alone = job.what.empty();
+  if (alone) {
+    job = {};
+    line_ = line;
+    began_ = std::chrono::steady_clock::now();
+  }
   try {
     for (const std::string& answer : session_.execute(line, merge_key))
       if (typed) console_.add(LineKind::answer, answer);
     done = true;
+  } catch (const SceneLoadCancelled&) {
+    console_.add(LineKind::note, line + ": cancelled");
   } catch (const std::exception& error) {
     if (typed) console_.add(LineKind::command, line);
     console_.add(LineKind::error, error.what());
   }
   merge_key_.clear();
+  if (alone) job = {};
   if (trace_.is_on()) trace_.note(fmt::format("ran {} ({:.1f} ms)", line, trace_.milliseconds() - begin));
   return done;
 }
@@ -60,6 +72,8 @@ std::string CommandQueue::new_merge_key(const std::string& what) {
 bool CommandQueue::tell_progress(double share) {
   job.share = share;
   const auto now = std::chrono::steady_clock::now();
+  // What is done in a moment is not worth a box over the picture.
+  if (job.what.empty() && now - began_ > std::chrono::milliseconds(150)) job.what = line_;
   if (draw_meanwhile && now - drawn_meanwhile_ > std::chrono::milliseconds(30)) {
     draw_meanwhile();
     drawn_meanwhile_ = std::chrono::steady_clock::now();

@@ -57,6 +57,8 @@ class CommandQueue {
   Trace& trace_;
   std::vector<std::function<void()>> tasks_;
   std::string merge_key_;  // of the command that runs
+  std::string line_;       // the command that runs by itself, and since when
+  std::chrono::steady_clock::time_point began_{};
   std::uint64_t drags_ = 0;
   std::chrono::steady_clock::time_point drawn_meanwhile_{};
 };

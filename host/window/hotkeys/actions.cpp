@@ -170,6 +170,7 @@ void act(Studio& studio, Action action) {
     case Action::console_line:
       studio.focus_console = true;
       studio.show_nodes = false;
+      studio.show_panels = true;
       return;
     case Action::node_editor:
       studio.show_nodes = !studio.show_nodes || !studio.show_panels;
