@@ -141,13 +141,24 @@ void Interface::draw_meanwhile() {
   note_work(false);
   window_.wait(0.0);
   note_work(true);
+  tell_input();
   for (const Chord& chord : window_.take_keys())
-    if (const auto action = action_of(chord); action && is_of_the_view(*action)) window::act(studio_, *action);
+    if (studio_.hotkeys.action(chord) == Action::cancel)
+      window::act(studio_, Action::cancel);  // whoever has the keys
+    else if (const auto action = action_of(chord); action && is_of_the_view(*action))
+      window::act(studio_, *action);
   studio_.update_picture();
   if (earliness() <= 0.0) draw();
 }
 
+// Keys wait for a field that is about to take them.
+void Interface::tell_input() {
+  if (!is_typing_expected()) window_.tell_input();
+  if (window_.has_input()) redraws_ = std::max(redraws_, 1);
+}
+
 void Interface::take_input() {
+  tell_input();
   for (const Chord& chord : window_.take_keys()) {
     if (const auto action = action_of(chord); action && !nodes_.take(*action)) act(*action);
   }

@@ -32,6 +32,7 @@ class Interface {
  private:
   void draw();
   void draw_meanwhile();
+  void tell_input();
   void take_input();
   void show_panels();
   void show_splitters(const Panes& panes);

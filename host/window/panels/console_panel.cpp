@@ -125,6 +125,7 @@ void ConsolePanel::show(Studio& studio, const PaneRect& pane) {
     studio.commands.run(line_, "", true);
     line_[0] = 0;
     studio.focus_console = true;
+    expect_typing();
   }
   ImGui::PopFont();
   end_pane();

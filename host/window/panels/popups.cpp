@@ -92,8 +92,7 @@ void show_recovery(Studio& studio) {
   } else if (button("Discard", "recovery discard")) {
     Autosave::discard(left);
     studio.files.left_behind.erase(studio.files.left_behind.begin());
-  } else if (button("Later", "recovery later") ||
-             ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+  } else if (button("Later", "recovery later") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
     studio.files.left_behind.clear();
   } else {
     answered = false;

@@ -14,6 +14,19 @@ bool is_typing() {
   return active != 0 && active == ImGui::GetCurrentContext()->InputTextState.ID;
 }
 
+namespace {
+int expected_at = -2;  // picture
+}
+
+void expect_typing() {
+  expected_at = ImGui::GetFrameCount();
+}
+
+bool is_typing_expected() {
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  return context.NavMoveSubmitted || ImGui::GetFrameCount() == expected_at;
+}
+
 void forget_typing() {
   ImStb::StbUndoState& undo = ImGui::GetCurrentContext()->InputTextState.Stb.undostate;
   undo.undo_point = 0;

@@ -16,4 +16,9 @@ void forget_typing();
 /// another frame, which may be long in coming where nothing moves.
 bool is_typing();
 
+/// Says that a field will take the keys with the next picture: those that are pressed until then are its own.
+void expect_typing();
+/// Whether a field is about to take them.
+bool is_typing_expected();
+
 }  // namespace plinian::window

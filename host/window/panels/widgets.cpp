@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "core/shared/view_curve.h"
+#include "host/window/panels/typing.h"
 #include "host/window/platform/theme.h"
 #include "host/window/platform/trace.h"
 
@@ -145,6 +146,7 @@ FieldEdit number_field(const char* id, double value, const NumberRange& range, c
     if (!field.moved && hovered) {
       field.typed = self;
       field.focus = true;
+      expect_typing();
       const std::string text = shown_number(value);
       std::snprintf(field.text, sizeof field.text, "%s", text.c_str());
     }

@@ -11,12 +11,13 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cfloat>
 #include <cmath>
 #include <cstdlib>
 #include <map>
-#include <set>
 #include <utility>
 
+#include "host/window/platform/input_queue.h"
 #include "host/window/platform/theme.h"
 
 namespace plinian::window {
@@ -25,11 +26,11 @@ struct MainWindow::Events {
   std::vector<std::string> dropped;
   std::vector<Chord> keys;
   bool any = false, close = false;
-  bool urgent = false;  // a key or a button
-  // Dear ImGui 1.86 sees a key as it is when a picture begins: one that is released before that is released
-  // for it after the picture.
-  std::set<int> pressed;                     // keys, since the last picture
-  std::vector<std::array<int, 3>> released;  // key, scancode, modifiers
+  InputQueue input;
+  bool told = false;    // a share of it, that no picture has seen yet
+  bool urgent = false;  // a key or a button was in it
+  dvec2 mouse{-FLT_MAX};
+  std::array<bool, 5> buttons{};
 };
 
 namespace {
@@ -103,22 +104,26 @@ MainWindow::MainWindow(const std::string& title, ivec2 size) : events_(std::make
   static constexpr auto note = [](GLFWwindow* w) {
     return static_cast<Events*>(glfwGetWindowUserPointer(w));
   };
-  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { note(w)->any = true; });
+  using Kind = InputEvent::Kind;
+  static constexpr auto add = [](GLFWwindow* w, const InputEvent& event) {
+    note(w)->any = true;
+    note(w)->input.add(event);
+  };
+  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+    add(w, {.kind = Kind::motion, .at = {x, y}});
+  });
   glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
     note(w)->any = true;
     ImGui_ImplGlfw_CursorEnterCallback(w, entered);
   });
-  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
-    note(w)->any = note(w)->urgent = true;
-    ImGui_ImplGlfw_MouseButtonCallback(w, button, action, mods);
+  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int) {
+    add(w, {.kind = Kind::button, .code = button, .down = action == GLFW_PRESS});
   });
   glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
-    note(w)->any = true;
-    ImGui_ImplGlfw_ScrollCallback(w, x, y);
+    add(w, {.kind = Kind::wheel, .at = {x, y}});
   });
   glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) {
-    note(w)->any = true;
-    ImGui_ImplGlfw_CharCallback(w, character);
+    add(w, {.kind = Kind::character, .code = int(character)});
   });
   glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
     note(w)->any = true;
@@ -135,17 +140,12 @@ MainWindow::MainWindow(const std::string& title, ivec2 size) : events_(std::make
     note(w)->dropped.insert(note(w)->dropped.end(), paths, paths + count);
   });
   glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
-    note(w)->any = note(w)->urgent = true;
-    if (action == GLFW_RELEASE && note(w)->pressed.contains(key)) {
-      note(w)->released.push_back({key, scancode, mods});
-      return;
-    }
-    ImGui_ImplGlfw_KeyCallback(w, key, scancode, action, mods);
-    if (action == GLFW_RELEASE) return;
-    note(w)->pressed.insert(key);
-    Chord chord{(mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_ALT) != 0,
-                key_name(key, scancode)};
-    if (!chord.key.empty()) note(w)->keys.push_back(chord);
+    add(w, {.kind = Kind::key,
+            .code = key,
+            .down = action != GLFW_RELEASE,
+            .repeat = action == GLFW_REPEAT,
+            .scancode = scancode,
+            .modifiers = mods});
   });
 
   IMGUI_CHECKVERSION();
@@ -174,6 +174,42 @@ bool MainWindow::wait(double seconds) {
   return std::exchange(events_->any, false) || woken;
 }
 
+void MainWindow::tell_input() {
+  Events& events = *events_;
+  if (events.told || events.input.is_empty()) return;
+  events.told = true;
+  GLFWwindow* window = static_cast<GLFWwindow*>(window_);
+  for (const InputEvent& event : events.input.take()) switch (event.kind) {
+      case InputEvent::Kind::motion:
+        events.mouse = event.at;
+        break;
+      case InputEvent::Kind::button:
+        if (std::size_t(event.code) < events.buttons.size())
+          events.buttons[std::size_t(event.code)] = event.down;
+        events.urgent = true;
+        break;
+      case InputEvent::Kind::wheel:
+        ImGui_ImplGlfw_ScrollCallback(window, event.at.x, event.at.y);
+        break;
+      case InputEvent::Kind::character:
+        ImGui_ImplGlfw_CharCallback(window, unsigned(event.code));
+        break;
+      case InputEvent::Kind::key: {
+        events.urgent = true;
+        ImGui_ImplGlfw_KeyCallback(window, event.code, event.scancode, event.down ? GLFW_PRESS : GLFW_RELEASE,
+                                   event.modifiers);
+        const Chord chord{(event.modifiers & GLFW_MOD_CONTROL) != 0, (event.modifiers & GLFW_MOD_SHIFT) != 0,
+                          (event.modifiers & GLFW_MOD_ALT) != 0, key_name(event.code, event.scancode)};
+        if (event.down && !chord.key.empty()) events.keys.push_back(chord);
+        break;
+      }
+    }
+}
+
+bool MainWindow::has_input() const {
+  return !events_->input.is_empty();
+}
+
 bool MainWindow::take_urgent() {
   return std::exchange(events_->urgent, false);
 }
@@ -190,6 +226,12 @@ void* MainWindow::gl_function(const char* name) {
 void MainWindow::begin_frame() {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+  // The backend asks where the mouse is now, and which of its buttons are down.
+  ImGuiIO& io = ImGui::GetIO();
+  if (ImGui::IsMousePosValid() || events_->buttons[0])
+    io.MousePos = {float(events_->mouse.x), float(events_->mouse.y)};
+  std::copy(events_->buttons.begin(), events_->buttons.end(), io.MouseDown);
+  events_->told = false;
   ImGui::NewFrame();
 }
 
@@ -202,11 +244,6 @@ void MainWindow::end_frame(vec3 background) {
   glClear(GL_COLOR_BUFFER_BIT);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
   glfwSwapBuffers(static_cast<GLFWwindow*>(window_));
-  events_->pressed.clear();
-  for (const auto& [key, scancode, mods] : std::exchange(events_->released, {})) {
-    ImGui_ImplGlfw_KeyCallback(static_cast<GLFWwindow*>(window_), key, scancode, GLFW_RELEASE, mods);
-    events_->any = true;
-  }
 }
 
 void MainWindow::hide() {
@@ -233,7 +270,7 @@ std::vector<Chord> MainWindow::take_keys() {
 
 bool MainWindow::is_held(char letter) const {
   // The letters of GLFW's keys are those of ASCII.
-  return !ImGui::GetIO().WantTextInput && glfwGetKey(static_cast<GLFWwindow*>(window_), letter) == GLFW_PRESS;
+  return !ImGui::GetIO().WantTextInput && ImGui::GetIO().KeysDown[int(letter)];
 }
 
 ivec2 MainWindow::size() const {

@@ -31,7 +31,12 @@ class MainWindow {
   /// Waits for events, at most that long, and takes them. Returns whether there were any. seconds: 0 takes
   /// what is there.
   bool wait(double seconds);
-  /// Whether a key or a button was among them, which a picture of the interface must not miss.
+  /// Hands the interface what of the input the next picture can tell apart; nothing, until the picture after
+  /// the last call has begun.
+  void tell_input();
+  /// Whether there is more of it.
+  bool has_input() const;
+  /// Whether a key or a button was among what was told, which must be answered at once.
   bool take_urgent();
   /// Ends a wait from any thread; counts as an event.
   static void wake();
@@ -50,7 +55,7 @@ class MainWindow {
   bool take_close_request();
   /// Files that were dropped on it since the last call, with where. [points]
   std::vector<std::string> take_dropped(dvec2* where = nullptr);
-  /// Keys that were pressed since the last call, in order.
+  /// Keys that were told of as pressed since the last call, in order.
   std::vector<Chord> take_keys();
 
   /// Whether a letter's key is held down and not being typed into a field.
