@@ -143,12 +143,13 @@ Quality quality_of(graph::Session& session, const std::string& set) {
 bool compute_plugs(graph::Session& session, const std::vector<Plug>& plugs,
                    const std::function<bool(double)>& progress) {
   graph::Evaluator& evaluator = session.evaluator();
-  bool ended = false;
-  const auto request = evaluator.request(plugs, [&](const graph::Evaluator::Outcome&) { ended = true; });
+  // Shared: where progress throws, the request ends when nobody waits for it.
+  const auto ended = std::make_shared<bool>(false);
+  const auto request = evaluator.request(plugs, [ended](const graph::Evaluator::Outcome&) { *ended = true; });
   bool wanted = true;
-  while (!ended) {
+  while (!*ended) {
     evaluator.poll();
-    if (ended) break;
+    if (*ended) break;
     double share = 0.0;
     for (const auto& running : evaluator.progress()) share = running.fraction;
     // Whoever draws by it goes on doing so until all has stopped.
