@@ -1,16 +1,16 @@
 // plinian run: a script of commands, as the console of a window would take them.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <fstream>
-#include <iostream>
-#include <iterator>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <sstream>
+#include <utility>
 
 #include "host/cli/command.h"
 #include "host/cli/console.h"
+#include "host/cli/input_lines.h"
 #include "host/cli/interruption.h"
 #include "host/cli/progress.h"
 #include "host/cli/render_command.h"
@@ -34,24 +34,39 @@ Examples:
   plinian run relight.pln shot.plinian
   echo 'ls -type camera' | plinian run - shot.plinian
 A script is one command a line; '#' begins a comment. 'plinian plugins --commands' lists the commands, and the command
-'help NAME' shows what one takes. What commands answer goes to standard output.)";
+'help NAME' shows what one takes. What commands answer goes to standard output. Lines of standard input are run as they
+come, so that whoever writes them can wait for an answer.)";
 
-std::string text_of(const std::string& script) {
-  if (script != "-") return graph::read_text_file(script);
-  return {std::istreambuf_iterator<char>(std::cin), {}};
+// The lines of a file, or of standard input as they come. Throws where it is a scene.
+std::function<std::optional<std::string>()> lines_of(const std::string& script) {
+  const auto refuse_scene = [script](std::string_view text) {
+    if (text.starts_with("plinian scene "))
+      throw std::runtime_error(
+          fmt::format("{0}: is a scene, not a script: 'plinian render {0}' makes a picture, "
+                      "'plinian run SCRIPT {0}' runs a script on it",
+                      script));
+  };
+  if (script == "-")
+    return [refuse_scene, lines = std::make_shared<InputLines>(), first = true]() mutable {
+      std::optional<std::string> line = lines->next();
+      if (std::exchange(first, false) && line) refuse_scene(*line);
+      return line;
+    };
+  auto file = std::make_shared<std::istringstream>(graph::read_text_file(script));
+  refuse_scene(file->view());
+  return [file]() -> std::optional<std::string> {
+    std::string line;
+    if (!std::getline(*file, line)) return std::nullopt;
+    return line;
+  };
 }
 
 int run_run(const RunArguments& arguments) {
   set_quiet(arguments.quiet);
-  const std::string text = text_of(arguments.script);
-  if (text.starts_with("plinian scene "))
-    throw std::runtime_error(
-        fmt::format("{0}: is a scene, not a script: 'plinian render {0}' makes a picture, "
-                    "'plinian run SCRIPT {0}' runs a script on it",
-                    arguments.script));
+  const auto next = lines_of(arguments.script);
   scene::Workspace workspace;
   graph::Session& session = workspace.session();
-  session.on_warning = [](const std::string& line) { warn(line); };
+  session.on_warning = [&](const std::string& line) { warn(session.script_place + line); };
   session.on_note = [](const std::string& line) { note(line); };
   session.evaluator().set_interrupt(&interrupt_flag());
   std::optional<ProgressBar> bar;  // of the computation that a command waits for
@@ -68,7 +83,7 @@ int run_run(const RunArguments& arguments) {
     bar.reset();
     if (arguments.echo) print("> " + line + "\n");
   };
-  graph::run_script(session, text, arguments.script == "-" ? "standard input" : arguments.script,
+  graph::run_script(session, next, arguments.script == "-" ? "standard input" : arguments.script,
                     [](const std::string& line) {
                       print(line + "\n");
                       std::fflush(stdout);  // what was answered is out, whatever comes

@@ -105,8 +105,14 @@ graph::FileType file_type_from(const PlinianFileType* plain, const std::shared_p
     return [=](graph::Session& session, const graph::Arguments& arguments) {
       const std::string path = arguments.text("file");
       const InsidePlugin inside(data->owner, doing, path.c_str());
-      return called(session, arguments,
-                    [&](PlinianCall* call) { function(user, &command_table, call, path.c_str()); });
+      try {
+        return called(session, arguments,
+                      [&](PlinianCall* call) { function(user, &command_table, call, path.c_str()); });
+      } catch (const GraphError& error) {
+        const std::string line = error.what();
+        if (line.find(path) != line.npos) throw;
+        throw GraphError(path + ": " + line);
+      }
     };
   };
   if (from.import_file) type.import_file = bound(from.import_file, "importing");

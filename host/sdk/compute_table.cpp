@@ -65,7 +65,11 @@ int read_data(PlinianContext* c, std::int32_t attribute, std::int32_t element, c
 }
 
 std::size_t elements(PlinianContext* c, std::int32_t array, const std::int32_t** found) {
-  guarded(c, [&](ComputeState& s) { s.elements = s.context.elements(array); });
+  // Its answer has no room for a failure, which is then the computation's.
+  if (!guarded(c, [&](ComputeState& s) { s.elements = s.context.elements(array); })) {
+    state_of(c).elements.clear();
+    state_of(c).failure = state_of(c).error;
+  }
   *found = state_of(c).elements.data();
   return state_of(c).elements.size();
 }

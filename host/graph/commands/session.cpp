@@ -178,22 +178,23 @@ NodeId Session::time_node() {
   return editor_.create_node(types_.get("time"));
 }
 
-void run_script(Session& session, std::string_view text, const std::string& name,
-                const std::function<void(const std::string&)>& answer) {
+void run_script(Session& session, const std::function<std::optional<std::string>()>& next,
+                const std::string& name, const std::function<void(const std::string&)>& answer) {
+  std::string& where = session.script_place;
+  struct Leave {
+    std::string& place;
+    ~Leave() { place.clear(); }
+  } leave{where};
   int number = 0;
-  while (!text.empty()) {
-    ++number;
-    const std::size_t length = std::min(text.find('\n'), text.size());
-    const std::string_view line = text.substr(0, length);
-    text.remove_prefix(std::min(length + 1, text.size()));
-    const std::string where = name + ":" + std::to_string(number) + ": ";
-    const auto check_interrupted = [&] {
-      if (session.evaluator().is_interrupted())
-        throw ScriptInterrupted(where + "cancelled here; what the lines before it did is done");
-    };
+  const auto check_interrupted = [&] {
+    if (session.evaluator().is_interrupted())
+      throw ScriptInterrupted(where + "cancelled here; what the lines before it did is done");
+  };
+  while (const std::optional<std::string> line = next()) {
+    where = name + ":" + std::to_string(++number) + ": ";
     check_interrupted();
     try {
-      for (const std::string& reply : session.execute(line))
+      for (const std::string& reply : session.execute(*line))
         if (answer) answer(reply);
     } catch (const EvaluationCancelled&) {
       check_interrupted();
@@ -203,6 +204,20 @@ void run_script(Session& session, std::string_view text, const std::string& name
       throw GraphError(where + error.what());
     }
   }
+  where = name + ":" + std::to_string(number + 1) + ": ";
+  check_interrupted();
+}
+
+void run_script(Session& session, std::string_view text, const std::string& name,
+                const std::function<void(const std::string&)>& answer) {
+  const auto next = [&]() -> std::optional<std::string> {
+    if (text.empty()) return std::nullopt;
+    const std::size_t length = std::min(text.find('\n'), text.size());
+    std::string line(text.substr(0, length));
+    text.remove_prefix(std::min(length + 1, text.size()));
+    return line;
+  };
+  run_script(session, next, name, answer);
 }
 
 }  // namespace plinian::graph

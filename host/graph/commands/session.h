@@ -55,6 +55,8 @@ class Session {
   std::function<bool(double share)> on_progress;
   void warn(const std::string& line) const;
   void note(const std::string& line) const;
+  /// Which line of a script is being run, "FILE:3: "; empty: none.
+  std::string script_place;
   void add_listener(SessionListener* listener) { listeners_.push_back(listener); }
   void remove_listener(SessionListener* listener) { std::erase(listeners_, listener); }
   /// Is told of each plug-in that a scene needs before the scene is opened, and may load it. Returns the
@@ -104,9 +106,12 @@ struct ScriptInterrupted : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Runs the lines of a script. name: of the file, for errors. Throws GraphError that names file and line, and
-/// ScriptInterrupted.
-/// answer: is given the lines that commands answer with.
+/// Runs the lines of a script, each as it comes. next: empty at the end. name: of the file, for errors.
+/// Throws GraphError that names file and line, and ScriptInterrupted. answer: is given the lines that
+/// commands answer with.
+void run_script(Session& session, const std::function<std::optional<std::string>()>& next,
+                const std::string& name, const std::function<void(const std::string&)>& answer);
+/// ... of a text.
 void run_script(Session& session, std::string_view text, const std::string& name,
                 const std::function<void(const std::string&)>& answer);
 

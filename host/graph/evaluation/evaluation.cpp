@@ -51,6 +51,7 @@ class Evaluation::Context : public ComputeContext {
     return is_relative(attribute, result->value) ? expanded(result->value) : result->value;
   }
   void set_output(AttributeIndex attribute, Value value) override {
+    need_attribute(attribute, "writes");
     const SchemaAttribute& declared = (*node_.schema)[attribute];
     if (!declared.spec.output) throw GraphError("writes '" + declared.path + "', which is no output");
     Value fit = fitted(declared.spec, value);
@@ -85,8 +86,15 @@ class Evaluation::Context : public ComputeContext {
   std::string warning_;
 
  private:
+  // A plug-in counts its attributes itself.
+  void need_attribute(AttributeIndex attribute, const char* what) const {
+    if (attribute < 0 || attribute >= node_.schema->size())
+      throw GraphError(what + (" attribute number " + std::to_string(attribute)) + ", which " +
+                       node_.type->name() + " does not have: was it added?");
+  }
   // Returns whether the input affects the output, itself or by what is in it.
   bool note_read(AttributeIndex attribute, std::int32_t element) {
+    need_attribute(attribute, "reads");
     if (affects(node_, attribute, output_.attribute)) return true;
     if (!(*node_.schema)[attribute].children.empty())
       for (const AttributeIndex leaf : node_.schema->leaves(attribute))

@@ -256,16 +256,8 @@ std::vector<RequiredPlugin> required_plugins(std::string_view text, const std::s
 
 void compare_version(const RequiredPlugin& required, const std::string& version, const std::string& name,
                      SceneReport& report) {
-  // Of "1.4.2-beta" the first two numbers; none count as 0.
-  const auto numbers = [](const std::string& text) {
-    std::pair<unsigned long, unsigned long> result;
-    char* rest = nullptr;
-    result.first = std::strtoul(text.c_str(), &rest, 10);
-    if (*rest == '.') result.second = std::strtoul(rest + 1, nullptr, 10);
-    return result;
-  };
-  const auto [major, minor] = numbers(required.version);
-  const auto [own_major, own_minor] = numbers(version);
+  const auto [major, minor] = version_numbers(required.version);
+  const auto [own_major, own_minor] = version_numbers(version);
   const bool newer_major = major > own_major;
   if (!newer_major && (major < own_major || minor <= own_minor)) return;
   report.read_only = report.read_only || newer_major;

@@ -2,6 +2,7 @@
 #include "host/graph/files/scene_sections.h"
 
 #include <charconv>
+#include <cstdlib>
 #include <filesystem>
 
 #include "host/graph/edits/editor.h"
@@ -99,7 +100,23 @@ SceneSections read_sections(std::string_view text, const std::string& name) {
                      ": the file was cut off" +
                      (kept ? " (" + name + ".bak may hold the last whole scene)" : ""));
   }
+  // Whoever put it there would lose it with the next save.
+  for (; !text.empty(); text.remove_prefix(std::min(text.find('\n') + 1, text.size()))) {
+    ++number;
+    const std::string_view line = text.substr(0, text.find('\n'));
+    if (line.find_first_not_of(" \t\r") != line.npos)
+      fail("stands behind 'end', where a scene is over: " + shown(std::string(line)));
+    if (text.find('\n') == text.npos) break;
+  }
   return scene;
+}
+
+std::pair<unsigned long, unsigned long> version_numbers(const std::string& text) {
+  std::pair<unsigned long, unsigned long> result;
+  char* rest = nullptr;
+  result.first = std::strtoul(text.c_str(), &rest, 10);
+  if (*rest == '.') result.second = std::strtoul(rest + 1, nullptr, 10);
+  return result;
 }
 
 }  // namespace plinian::graph

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace plinian::graph {
@@ -37,9 +38,12 @@ struct SceneSections {
   bool is_newer() const;
 };
 
+/// Major and minor of a plug-in's version: of "1.4.2-beta" the first two numbers; none count as 0.
+std::pair<unsigned long, unsigned long> version_numbers(const std::string& text);
+
 /// Cuts a scene into its sections, which hold no longer than `text`. name: of the file, for errors. Throws
-/// GraphError, with name and line, for a text that is no scene, was cut off, or has a line that a scene of
-/// its version has not.
+/// GraphError, with name and line, for a text that is no scene, was cut off, goes on behind its end, or has a
+/// line that a scene of its version has not.
 SceneSections read_sections(std::string_view text, const std::string& name);
 
 }  // namespace plinian::graph

@@ -7,6 +7,7 @@
 
 #include "core/files/atomic_file.h"
 #include "host/graph/files/attribute_declaration.h"
+#include "host/graph/files/scene_sections.h"
 #include "host/graph/values/file_path.h"
 
 namespace plinian::graph {
@@ -107,14 +108,21 @@ std::string scene_text(const Graph& graph, const std::vector<const Node*>& nodes
   for (const auto& [name, type] : types) {
     Section section{type->version(), type->spec().plugin, type->spec().plugin_version, type_lines(*type)};
     if (const KeptType* kept = kept_of(name)) {
+      // What an older plug-in saves of a newer one stays the newer one's: else the next that opens it would
+      // take lines that it does not know for all there is.
+      const bool is_newer = kept->version > section.version && !kept->plugin.empty();
       section.version = std::max(section.version, kept->version);
-      if (type->is_unknown()) {
+      if (type->is_unknown() || is_newer) {
         section.plugin = kept->plugin;
         section.plugin_version = kept->plugin_version;
       }
       section.lines.insert(section.lines.end(), kept->lines.begin(), kept->lines.end());
     }
-    if (!section.plugin.empty()) plugins[section.plugin] = section.plugin_version;
+    if (!section.plugin.empty()) {
+      std::string& required = plugins[section.plugin];
+      if (version_numbers(required) <= version_numbers(section.plugin_version))
+        required = section.plugin_version;
+    }
     sections.emplace(name, std::move(section));
   }
 

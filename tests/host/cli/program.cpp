@@ -17,6 +17,10 @@ int Ended::error_lines() const {
   return int(std::count(err.begin(), err.end(), '\n'));
 }
 
+std::string program_path() {
+  return PLINIAN_PROGRAM;
+}
+
 Ended plinian_program(const std::vector<std::string>& arguments, const RunOptions& options) {
   int out[2], err[2];
   if (pipe2(out, O_CLOEXEC) != 0 || pipe2(err, O_CLOEXEC) != 0) throw std::runtime_error("no pipes");

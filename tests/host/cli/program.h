@@ -26,6 +26,9 @@ struct RunOptions {
   std::string signal_after_text;  // ... or so long after this was said
 };
 
+/// Where the program is.
+std::string program_path();
+
 /// Runs `plinian` with the arguments. Its user presets are looked for in an empty place unless the
 /// environment says otherwise, so that nobody's own presets change a test.
 Ended plinian_program(const std::vector<std::string>& arguments, const RunOptions& options = {});

@@ -51,6 +51,30 @@ TEST_F(Program, AScriptMakesThePictureThatAProceduralMediumAloneMakes) {
     EXPECT_NE(ls.out.find(node), std::string::npos) << node;
 }
 
+// Whoever writes a line can wait for its answer before the next one, and Ctrl-C ends the waiting.
+TEST_F(Program, LinesOfStandardInputAreRunAsTheyCome) {
+  const std::string script = "coproc P { exec '" + program_path() +
+                             "' run -; }; echo 'createNode transform -name a' >&${P[1]}; "
+                             "read -t 60 -u ${P[0]} answer; echo \"got $answer\"; "
+                             "echo 'ls -type transform' >&${P[1]}; "
+                             "read -t 60 -u ${P[0]} answer; echo \"got $answer\"; "
+                             "kill -INT $P_PID; wait $P_PID; echo \"ended $?\"";
+  folder_.write("s.sh", script);
+  FILE* shell = popen(("cd '" + folder_.path().string() + "' && bash s.sh 2>/dev/null").c_str(), "r");
+  ASSERT_TRUE(shell);
+  std::string heard;
+  for (int c; (c = std::fgetc(shell)) != EOF;) heard += char(c);
+  pclose(shell);
+  EXPECT_EQ(heard, "got a\ngot a\nended 130\n");
+}
+
+TEST_F(Program, AWarningOfAScriptNamesItsLine) {
+  folder_.write("s.pln", "createNode medium -name m\nsetAttr m.g 7\n");
+  const Ended ended = run({"run", "s.pln"});
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_TRUE(ended.err.starts_with("warning: s.pln:2: m.g is out of its range")) << ended.err;
+}
+
 TEST_F(Program, AScriptAndASceneAreToldApart) {
   folder_.write("s.pln", "ls\n");
   folder_.write("s.plinian", "plinian scene 1.0\nend\n");

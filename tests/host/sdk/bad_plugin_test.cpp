@@ -94,5 +94,22 @@ TEST(BadPlugin, AContributionThatFailsIsAnErrorOfItsNodeAlone) {
             std::vector<std::string>{"x.contribution: the sky has fallen"});
 }
 
+// A plug-in counts its attributes itself: one that was never added is an error of the node, no crash.
+TEST(BadPlugin, AnAttributeThatWasNeverAddedIsAnErrorOfItsNode) {
+  PluginSession s;
+  s.run("loadPlugin wobble\ncreateNode wobble -name w");
+  const std::pair<const char*, const char*> cases[] = {{"read nothing", "reads attribute number -1"},
+                                                       {"read beyond", "reads attribute number 99"},
+                                                       {"elements beyond", "reads attribute number 99"},
+                                                       {"write beyond", "writes attribute number 99"}};
+  for (const auto& [label, told] : cases) {
+    s.run(std::string("setAttr w.label \"") + label + "\"");
+    const std::string message = s.refusal("getAttr w.out");
+    EXPECT_NE(message.find(std::string(told) + ", which wobble does not have: was it added?"),
+              std::string::npos)
+        << message;
+  }
+}
+
 }  // namespace
 }  // namespace plinian::sdk

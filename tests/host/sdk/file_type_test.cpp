@@ -60,6 +60,16 @@ TEST(FileType, AnImporterThatKnowsNoNamespacesIsGivenThem) {
   EXPECT_EQ(s.run("ls"), "time1");
 }
 
+TEST(FileType, WhatAnImporterThrowsIsToldWithItsFile) {
+  ListSession s;
+  s.run("loadPlugin extras");
+  const std::string file = s.own / "bad.xyz";
+  std::ofstream(file) << "one two\n";
+  const std::string message = s.refusal("import \"" + file + "\"");
+  EXPECT_TRUE(message.starts_with(file + ": ")) << message;
+  EXPECT_NE(message.find("a point is no number"), std::string::npos) << message;
+}
+
 TEST(PluginHierarchy, EveryTypeInItCanBeHiddenAndKeepsAnAttributeOfThatNameOfItsOwn) {
   ListSession s;
   s.run("createNode place\ncreateNode ghost");

@@ -88,5 +88,30 @@ TEST(Migration, ASceneHasOneVersionOfAType) {
   EXPECT_EQ(s.run("import \"" + s.file + "\"\ngetAttr bad.amount"), "good\nbad\ntotal1\n16");
 }
 
+// Else the next older plug-in would neither be told of it nor kept from saving over it.
+TEST(Migration, WhatAnOlderPluginSavesOfANewerOneStaysTheNewerOnes) {
+  MigrationSession s;
+  const std::string newer = R"(plinian scene 1.0
+requires wobble 3.1
+node wobble w
+  .breadth 4
+node wobbleTotal total
+  .source <- w.numbers
+type wobble 5 from wobble 3.1
+  .breadth 1
+type wobbleTotal 1 from wobble 1.2
+end
+)";
+  std::ofstream(s.file) << newer;
+  s.run("open \"" + s.file + "\"");
+  EXPECT_NE(s.refusal("save").find("read-only"), std::string::npos);
+  const std::string text = s.saved();
+  EXPECT_NE(text.find("requires wobble 3.1\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("type wobble 5 from wobble 3.1\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("  .breadth 4\n"), std::string::npos) << text;
+  s.run("open \"" + s.again + "\"");
+  EXPECT_NE(s.refusal("save").find("read-only"), std::string::npos) << "the next one is told as well";
+}
+
 }  // namespace
 }  // namespace plinian::sdk

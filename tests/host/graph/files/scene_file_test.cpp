@@ -221,6 +221,16 @@ node sum s
   EXPECT_NE(other.graph.find("s"), nullptr);
 }
 
+TEST(SceneFile, WhatStandsBehindItsEndIsRefusedRatherThanLost) {
+  TestScene scene;
+  const std::string text = "plinian scene 1.0\nnode sum s\nend\n";
+  read(scene, text + "\n  \n");
+  EXPECT_EQ(message_of([&] { read(scene, text + "\nnode sum t\n"); }),
+            "a.pln:5: stands behind 'end', where a scene is over: 'node sum t'");
+  EXPECT_EQ(message_of([&] { read(scene, text + "  .a 3"); }),
+            "a.pln:4: stands behind 'end', where a scene is over: '  .a 3'");
+}
+
 TEST(SceneFile, WhatCannotBeUsedIsSaidAndKept) {
   TestScene scene;
   const std::string nodes = R"(plinian scene 1.0

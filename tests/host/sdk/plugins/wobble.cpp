@@ -59,6 +59,10 @@ void initialise(Plugin& plugin) {
       return;
     }
     if (context.text(label) == "fail") throw Error("the label says so");
+    if (context.text(label) == "read nothing") context.number(Attribute{});
+    if (context.text(label) == "read beyond") context.number(Attribute{99});
+    if (context.text(label) == "elements beyond") context.elements(Attribute{99});
+    if (context.text(label) == "write beyond") context.set(Attribute{99}, 1.0);
     double sum = 2.0 * context.number(amount) + context.vector(offset)[1];
     for (const std::int32_t element : context.elements(more)) sum += context.number(more, element);
     context.set(out, context.number(mode) == 10.0 ? sum : 0.0);
