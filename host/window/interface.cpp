@@ -108,6 +108,7 @@ void Interface::turn() {
   if (was_computing != studio_.feed.is_computing() || was_hand_on != studio_.is_hand_on() || most > 0.05)
     redraws_ = std::max(redraws_, 1);
   timeline_.play(studio_);
+  studio_.is_playing = timeline_.is_playing();
   studio_.files.autosave_if_due(studio_.is_hand_on());
   studio_.update_picture();
   studio_.update_playblast();

@@ -72,12 +72,57 @@ void Studio::update_picture() {
     wanted.quality.view.exact_light_at_rest = false;
   }
   if (development.sees_map_error()) wanted.quality.view.light = LightLookup::error;
+  if (played.begin(take())) first_number_ = last_number_ + 1;
   if (!asked_ || !same_picture(*asked_, wanted)) {
-    ++number_;
     asked_ = wanted;
+    played_before_ = can_play_again() ? played.find(wanted) : nullptr;
+    number_ = played_before_ ? played_before_->number : ++last_number_;
   }
-  renderer.ask({std::move(wanted), number_, is_hand_on(), wants_light_maps});
+  // Where the hand rests, what was played stays up until it is refined.
+  if (!played_before_ || !is_playing)
+    renderer.ask({.scene = std::move(wanted),
+                  .number = number_,
+                  .time = feed.time(),
+                  .hand_on = is_hand_on(),
+                  .light_maps = wants_light_maps});
+  keep_played();
   comparison.update();
+}
+
+ViewPicturePtr Studio::picture() const {
+  const ViewPicturePtr rendered = renderer.picture();
+  const bool stands_in = played_before_ && (!rendered || rendered->number != number_ ||
+                                            (rendered->quick && !played_before_->quick));
+  return stands_in ? played_before_ : rendered;
+}
+
+bool Studio::is_picture_there() const {
+  const ViewPicturePtr seen = picture();
+  return seen && seen->number == number_ && !seen->quick && !feed.is_computing() && !feed.is_stale();
+}
+
+Take Studio::take() {
+  Take take;
+  take.generation = workspace.session().graph().generation();
+  take.quality = workspace.view().quality;
+  take.original_maps = original_maps;
+  take.size = picture_size;
+  if (viewpoint.look.free) take.free = viewpoint.look.free->camera();
+  return take;
+}
+
+// Pictures that were played have no layers, nor light maps for plug-ins to look up.
+bool Studio::can_play_again() const {
+  const std::string& layer = development.layer;
+  return is_playing && !wants_light_maps && development.solo.empty() && !development.solo_ambient &&
+         (layer.empty() || layer == "beauty" || layer == "alpha" || layer == "depth");
+}
+
+void Studio::keep_played() {
+  const ViewPicturePtr rendered = renderer.picture();
+  if (!is_playing || !rendered || rendered == kept_ || rendered->number < first_number_) return;
+  kept_ = rendered;
+  played.keep(*rendered);
 }
 
 void Studio::render_reference() {

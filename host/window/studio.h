@@ -24,6 +24,7 @@
 #include "host/window/platform/trace.h"
 #include "host/window/probe/inspector.h"
 #include "host/window/view/developer.h"
+#include "host/window/view/played_frames.h"
 #include "host/window/view/scene_feed.h"
 #include "host/window/view/view_renderer.h"
 
@@ -58,6 +59,12 @@ class Studio {
 
   // What makes pictures.
   ViewRenderer renderer;
+  PlayedFrames played;
+  bool is_playing = false;  // through time
+  /// What is to be seen now: what the renderer has, or what was played before. Null before the first.
+  ViewPicturePtr picture() const;
+  /// Whether that shows what was asked for last, past its quick pass.
+  bool is_picture_there() const;
   Developer developer;
   /// Asks for the picture of what is looked at now.
   void update_picture();
@@ -96,8 +103,16 @@ class Studio {
   std::string typed_ahead;    // what the command line is to begin with, taken from here
 
  private:
+  Take take();
+  bool can_play_again() const;
+  void keep_played();
+
   std::optional<SceneSnapshot> asked_;  // that a picture was asked for last
   std::uint64_t number_ = 0;            // of it
+  std::uint64_t last_number_ = 0;       // that was given
+  std::uint64_t first_number_ = 1;      // of the take that is played
+  ViewPicturePtr played_before_;        // of what was asked for; null: there is none
+  ViewPicturePtr kept_;                 // that was looked at last for what is played
   std::chrono::steady_clock::time_point hand_on_until_{};
 };
 

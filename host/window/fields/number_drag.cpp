@@ -49,8 +49,8 @@ double dragged(const NumberRange& range, double start, double points, DragPace p
   return value;
 }
 
-std::string shown_number(double value) {
-  std::string text = fmt::format("{:.6g}", value);
+std::string shown_number(double value, int digits) {
+  std::string text = fmt::format("{:.{}g}", value, digits);
   return text == "-0" ? "0" : text;
 }
 

@@ -22,6 +22,6 @@ NumberRange range_of(const graph::AttributeSpec& spec);
 double dragged(const NumberRange& range, double start, double points, DragPace pace);
 
 /// A number as a field shows it: at most 6 significant digits, no more than it needs.
-std::string shown_number(double value);
+std::string shown_number(double value, int digits = 6);
 
 }  // namespace plinian::window

@@ -15,7 +15,10 @@ void keep_picture(Studio& studio) {
   }
   for (const std::string& name : studio.snapshots.keep(picture, studio.developer.developed()))
     studio.console.add(LineKind::note, name + " was let go: snapshots hold all the memory that they may");
-  studio.comparison.keep(picture, studio.snapshots.all().back().name, OtherKind::snapshot);
+  // What one is measuring against stays; a click on the snapshot compares with it.
+  const OtherKind kind = studio.comparison.kind;
+  if (kind == OtherKind::none || kind == OtherKind::snapshot)
+    studio.comparison.keep(picture, studio.snapshots.all().back().name, OtherKind::snapshot);
   studio.show_snapshots = true;
 }
 
@@ -183,6 +186,7 @@ void act(Studio& studio, Action action) {
       studio.show_hotkeys = !studio.show_hotkeys;
       return;
     case Action::cancel:
+      if (std::exchange(studio.show_hotkeys, false)) return;
       studio.commands.job.cancelled = true;
       comparison.stop_reference();
       studio.playblast.cancel();

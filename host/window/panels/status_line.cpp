@@ -17,7 +17,7 @@ void show_status(Studio& studio, const PaneRect& pane) {
   ImGui::PopStyleVar();
   ImGui::AlignTextToFramePadding();
   float right = pane.begin.x + pane.size.x;
-  const ViewPicturePtr picture = studio.renderer.picture();
+  const ViewPicturePtr picture = studio.picture();
   if (picture) {
     const std::string text = fmt::format(
         "{}   {} x {}   {}", picture->scene.quality.name, picture->frame.width, picture->frame.height,

@@ -70,6 +70,7 @@ void TimelinePanel::toggle_play(Studio& studio) {
   playing_ = !playing_;
   began_ = std::chrono::steady_clock::now();
   began_at_ = studio.session().evaluator().time();
+  stepped_ = began_;
 }
 
 void TimelinePanel::play(Studio& studio) {
@@ -79,6 +80,17 @@ void TimelinePanel::play(Studio& studio) {
   const double length = range.end - range.start + 1.0;
   const double frame =
       range.start + std::fmod(std::floor(began_at_ - range.start + seconds * range.rate), length);
+  if (every_frame_) {
+    // The next one when this one has been seen, not faster than in real time.
+    const auto now = std::chrono::steady_clock::now();
+    if (!studio.is_picture_there() ||
+        std::chrono::duration<double>(now - stepped_).count() * range.rate < 1.0)
+      return;
+    stepped_ = now;
+    const double next = std::floor(studio.session().evaluator().time()) + 1.0;
+    go_to(studio, next > range.end ? range.start : next);
+    return;
+  }
   studio.keep_hand_on();
   // A frame that is still being made is waited for rather than left out of sight.
   if (!studio.feed.is_computing()) go_to(studio, frame);
@@ -91,7 +103,23 @@ void TimelinePanel::show(Studio& studio, const PaneRect& pane) {
   ImGui::PopStyleVar();
   const Range range = range_of_scene(studio);
   const double now = studio.session().evaluator().time();
-  if (toggle(playing_ ? "Stop" : "Play", playing_, "Play in real time (Space).")) toggle_play(studio);
+  if (toggle(playing_ ? "Stop" : "Play", playing_,
+             every_frame_ ? "Play every frame, each until its picture is whole (Space)."
+                          : "Play in real time, leaving out what takes too long (Space)."))
+    toggle_play(studio);
+  note_item(studio.trace, "play");
+  ImGui::SameLine(0.0f, scaled(2));
+  if (toggle("every", every_frame_,
+             "Every frame, each until its picture is whole. What was played so, marked under the ruler, "
+             "plays in "
+             "real time from then on, until something is changed.")) {
+    every_frame_ = !every_frame_;
+    if (playing_) {  // from here on
+      toggle_play(studio);
+      toggle_play(studio);
+    }
+  }
+  note_item(studio.trace, "play every frame");
   ImGui::SameLine(0.0f, scaled(6));
   FieldLook look;
   look.width = scaled(64);
@@ -130,6 +158,11 @@ void TimelinePanel::show(Studio& studio, const PaneRect& pane) {
     const float width = ImGui::CalcTextSize(text.c_str()).x;
     if (x - width / 2 > begin.x && x + width / 2 < end.x)
       list->AddText({x - width / 2, begin.y + scaled(1)}, colour::faint_text, text.c_str());
+  }
+  for (const double frame : studio.played.frames()) {
+    const float half = 0.5f * size.x / float(count);
+    list->AddRectFilled({std::max(begin.x, place(frame) - half), end.y - scaled(2)},
+                        {std::min(end.x, place(frame) + half + 0.5f), end.y}, colour::played);
   }
   for (const double key : keys_) {
     const float x = std::round(place(key));

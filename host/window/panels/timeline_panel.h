@@ -26,7 +26,8 @@ class TimelinePanel {
   void find_keys(Studio& studio);
   void go_to(Studio& studio, double frame);
 
-  bool playing_ = false;
+  bool playing_ = false, every_frame_ = false;
+  std::chrono::steady_clock::time_point stepped_{};  // to the frame that is shown, where every one is
   std::chrono::steady_clock::time_point began_{};
   double began_at_ = 1.0;     // [frames]
   std::vector<double> keys_;  // [frames] of the selection

@@ -47,7 +47,7 @@ void show_notes(Studio& studio, const PaneRect& pane, const DevelopedPtr& shown)
 }
 
 void show_figures(Studio& studio, const PaneRect& pane) {
-  const ViewPicturePtr picture = studio.renderer.picture();
+  const ViewPicturePtr picture = studio.picture();
   if (!picture) return;
   const RenderStats& stats = picture->stats;
   constexpr double mebibyte = 1024.0 * 1024.0;

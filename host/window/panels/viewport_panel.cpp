@@ -51,7 +51,7 @@ void ViewportPanel::settle_size(Studio& studio, const PaneRect& pane, double pix
 }
 
 void ViewportPanel::take_picture(Studio& studio) {
-  const ViewPicturePtr picture = studio.renderer.picture();
+  const ViewPicturePtr picture = studio.picture();
   const std::string how = words_of(studio.development);
   if (picture && (picture != asked_picture_ || how != asked_development_)) {
     studio.developer.ask(picture, studio.development);
@@ -66,7 +66,8 @@ void ViewportPanel::take_picture(Studio& studio) {
   const ViewPicture& p = *shown->picture;
   studio.trace.note(fmt::format("picture {} {}x{} passes {} {} {:.0f} ms maps {:.0f} view {:.0f}{}", p.number,
                                 shown->width, shown->height, p.passes,
-                                p.quick     ? "quick"
+                                p.is_played ? "played"
+                                : p.quick   ? "quick"
                                 : p.at_rest ? "rest"
                                             : "refining",
                                 p.render_ms, p.stats.map_ms, p.stats.view_ms,

@@ -25,7 +25,19 @@ struct {
   float anchor_x = 0.0f;  // [points]
   DragPace pace = DragPace::usual;
   char text[256] = "";
+  // Where Tab goes on: to that field, or to the next one in that window; in the picture after.
+  ImGuiID wanted = 0, before = 0;  // before: the last field that was shown and is not typed into
+  const ImGuiWindow* next_in = nullptr;
+  int asked = -2;  // picture in which Tab was pressed
 } field;
+
+void begin_typing(ImGuiID id, double value) {
+  field.typed = id;
+  field.focus = true;
+  expect_typing();
+  const std::string text = shown_number(value);
+  std::snprintf(field.text, sizeof field.text, "%s", text.c_str());
+}
 
 DragPace pace_now() {
   const ImGuiIO& io = ImGui::GetIO();
@@ -55,13 +67,19 @@ void draw_field(ImVec2 begin, ImVec2 end, double value, const NumberRange& range
   const unsigned faint = ImGui::GetColorU32(ImGuiCol_TextDisabled);
   float right = end.x - style.FramePadding.x, left = begin.x + style.FramePadding.x;
   list->PushClipRect(begin, end, true);
-  if (!look.prefix.empty()) list->AddText({left, middle}, faint, look.prefix.c_str());
+  if (!look.prefix.empty()) {
+    list->AddText({left, middle}, faint, look.prefix.c_str());
+    left += ImGui::CalcTextSize(look.prefix.c_str()).x + scaled(4);
+  }
   if (!look.unit.empty()) {
     const float width = ImGui::CalcTextSize(look.unit.c_str()).x;
     list->AddText({right - width, middle}, faint, look.unit.c_str());
     right -= width + scaled(4);
   }
-  const std::string number = shown_number(value);
+  // Fewer digits rather than some of them: a number without its beginning is another one.
+  std::string number = shown_number(value);
+  for (int digits = 5; digits > 1 && ImGui::CalcTextSize(number.c_str()).x > right - left; --digits)
+    number = shown_number(value, digits);
   const unsigned ink = look.driven     ? ImGui::GetColorU32(ImVec4(0.55f, 0.80f, 0.62f, 1.0f))
                        : !look.enabled ? faint
                        : look.changed  ? ImGui::GetColorU32(ImVec4(1.0f, 0.97f, 0.92f, 1.0f))
@@ -97,12 +115,34 @@ FieldEdit number_field(const char* id, double value, const NumberRange& range, c
   const ImGuiID self = ImGui::GetID(id);
   const ImVec2 begin = ImGui::GetCursorScreenPos();
   const ImVec2 size(std::max(look.width, scaled(16)), ImGui::GetFrameHeight());
+  if (look.enabled) {
+    if (field.asked < ImGui::GetFrameCount() - 1) field.wanted = 0, field.next_in = nullptr;
+    if (field.wanted == self || (field.next_in && field.next_in == ImGui::GetCurrentWindow()->RootWindow)) {
+      field.wanted = 0;
+      field.next_in = nullptr;
+      begin_typing(self, value);
+    }
+    if (field.typed != self) field.before = self;
+  }
   if (field.typed == self) {
     ImGui::SetNextItemWidth(size.x);
     if (field.focus) ImGui::SetKeyboardFocusHere();
     const bool entered =
         ImGui::InputText(id, field.text, sizeof field.text,
                          ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    // Tab takes over what was typed and goes on to the next number, or back.
+    if (!field.focus && ImGui::IsItemActive() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab))) {
+      ImGui::ClearActiveID();
+      edit.typed = field.text;
+      field.typed = 0;
+      if (ImGui::GetIO().KeyShift)
+        field.wanted = field.before;
+      else
+        field.next_in = ImGui::GetCurrentWindow()->RootWindow;
+      field.asked = ImGui::GetFrameCount();
+      expect_typing();
+      return edit;
+    }
     const bool left = !field.focus && !entered && ImGui::IsItemDeactivated();
     const bool escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
     field.focus = false;
@@ -144,11 +184,7 @@ FieldEdit number_field(const char* id, double value, const NumberRange& range, c
     field.dragged = 0;
     edit.ended = field.moved;
     if (!field.moved && hovered) {
-      field.typed = self;
-      field.focus = true;
-      expect_typing();
-      const std::string text = shown_number(value);
-      std::snprintf(field.text, sizeof field.text, "%s", text.c_str());
+      begin_typing(self, value);
     }
   }
   draw_field(begin, {begin.x + size.x, begin.y + size.y}, value, range, look,

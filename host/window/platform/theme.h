@@ -10,6 +10,7 @@ namespace colour {
 inline constexpr unsigned text = 0xffd6d2d0;
 inline constexpr unsigned faint_text = 0xff8f8986;
 inline constexpr unsigned accent = 0xffe0a05a;   // what is active
+inline constexpr unsigned played = 0xff8fae6a;   // green: frames that play in real time
 inline constexpr unsigned changed = 0xff5ab0e8;  // amber: a value that is not its default
 inline constexpr unsigned warning = 0xff4fb4f0;
 inline constexpr unsigned error = 0xff6a6af0;

@@ -9,12 +9,6 @@ namespace plinian::window {
 
 namespace {
 
-bool same(const Camera& a, const Camera& b) {
-  return a.world_from_camera == b.world_from_camera && a.focal_length == b.focal_length &&
-         a.film_back == b.film_back && a.fit == b.fit && a.film_offset == b.film_offset &&
-         a.pixel_aspect == b.pixel_aspect && a.near_clip == b.near_clip;
-}
-
 bool same(const Medium& a, const Medium& b) {
   return a.name == b.name && a.shape == b.shape && a.volume == b.volume &&
          a.world_from_medium == b.world_from_medium && a.density_scale == b.density_scale &&
@@ -46,9 +40,15 @@ bool all_same(const std::vector<T>& a, const std::vector<T>& b) {
 
 }  // namespace
 
+bool same_camera(const Camera& a, const Camera& b) {
+  return a.world_from_camera == b.world_from_camera && a.focal_length == b.focal_length &&
+         a.film_back == b.film_back && a.fit == b.fit && a.film_offset == b.film_offset &&
+         a.pixel_aspect == b.pixel_aspect && a.near_clip == b.near_clip;
+}
+
 bool same_picture(const SceneSnapshot& a, const SceneSnapshot& b) {
   return a.width == b.width && a.height == b.height && a.ambient == b.ambient &&
-         a.background == b.background && same(a.camera, b.camera) && all_same(a.media, b.media) &&
+         a.background == b.background && same_camera(a.camera, b.camera) && all_same(a.media, b.media) &&
          all_same(a.lights, b.lights) && same(a.quality, b.quality);
 }
 

@@ -5,6 +5,8 @@
 
 namespace plinian::window {
 
+bool same_camera(const Camera& a, const Camera& b);
+
 /// Names and what the light maps are made with count; equal snapshots give equal pictures.
 bool same_picture(const SceneSnapshot& a, const SceneSnapshot& b);
 

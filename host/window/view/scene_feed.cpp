@@ -71,6 +71,7 @@ bool SceneFeed::build() {
     // What failed would be missing from the picture: better the one before, marked.
     if (!problems_.empty() && snapshot_) return false;
     snapshot_ = std::move(built);
+    time_ = workspace_.session().evaluator().time();
     stale_ = !problems_.empty();
     return true;
   } catch (const graph::GraphError& error) {

@@ -25,6 +25,8 @@ class SceneFeed : private graph::GraphObserver {
   const std::shared_ptr<const scene::BuiltSnapshot>& snapshot() const { return snapshot_; }
   /// Whether the snapshot is older than the scene: something is still being computed, or failed.
   bool is_stale() const { return stale_; }
+  /// Of what the snapshot shows. [frames]
+  double time() const { return time_; }
   bool is_computing() const { return request_ != 0; }
   /// How far that is [0, 1], and what it is.
   graph::Evaluator::Progress progress() const;
@@ -48,6 +50,7 @@ class SceneFeed : private graph::GraphObserver {
   std::shared_ptr<const scene::BuiltSnapshot> snapshot_;
   std::vector<std::string> problems_;
   Seen seen_;
+  double time_ = 0.0;
   bool changed_ = true, stale_ = true;
   graph::Evaluator::RequestId request_ = 0;
 };

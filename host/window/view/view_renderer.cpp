@@ -191,6 +191,7 @@ class ViewRenderer::Thread {
     picture->frame = std::move(frame);
     picture->scene = request.scene;
     picture->number = request.number;
+    picture->time = request.time;
     picture->quick = quick;
     picture->at_rest = at_rest;
     picture->passes = passes;

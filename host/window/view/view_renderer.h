@@ -18,6 +18,7 @@ namespace plinian::window {
 struct ViewRequest {
   SceneSnapshot scene;       // its size: of the picture at rest [pixels]
   std::uint64_t number = 0;  // of what it shows: another number, another picture
+  double time = 0.0;         // [frames] that it shows
   bool hand_on = false;      // it is about to change again: a quick picture is enough
   bool light_maps = false;   // somebody draws over it who may look them up
 };
@@ -27,9 +28,11 @@ struct ViewPicture {
   Frame frame;
   SceneSnapshot scene;       // that it shows, at the size at rest
   std::uint64_t number = 0;  // of the request
+  double time = 0.0;         // [frames] likewise
   bool quick = false;        // smaller than asked for, and of one pass
   bool at_rest = false;      // no further pass follows
   int passes = 0;
+  bool is_played = false;  // shown again, without its layers: see PlayedFrames
   RenderStats stats;
   double render_ms = 0.0;      // wall clock since the request was taken up
   LightMapCopyPtr light_maps;  // that it was made with, where the request wanted them and there are any

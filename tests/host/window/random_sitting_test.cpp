@@ -184,10 +184,10 @@ TEST(RandomSitting, NothingThatAHandDoesEndsTheProgram) {
   const double seconds = asked ? std::atof(asked) : 15.0;
   const unsigned seed = asked_seed ? unsigned(std::atol(asked_seed)) : 1u;
   Sitting sitting({"ash"}, screen);
-  ASSERT_EQ(
-      plinian_program({"make", "cloud", "--resolution", "96", "-o", (sitting.folder() / "smoke.vdb").string()})
-          .code,
-      0);
+  ASSERT_EQ(plinian_program(
+                {"make", "cloud", "--resolution", "96", "-o", (sitting.folder() / "smoke.vdb").string()})
+                .code,
+            0);
   RandomHand hand(sitting, seed);
   const Clock::time_point begin = Clock::now();
   const auto since = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
