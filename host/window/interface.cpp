@@ -107,10 +107,11 @@ void Interface::turn() {
   if (studio_.feed.update()) redraws_ = std::max(redraws_, 2);
   if (was_computing != studio_.feed.is_computing() || was_hand_on != studio_.is_hand_on() || most > 0.05)
     redraws_ = std::max(redraws_, 1);
-  timeline_.play(studio_);
   studio_.is_playing = timeline_.is_playing();
   studio_.files.autosave_if_due(studio_.is_hand_on());
   studio_.update_picture();
+  // Behind what asks for the picture of this frame: only then can be said whether that is there.
+  timeline_.play(studio_);
   studio_.update_playblast();
   const bool due = earliness() <= 0.0 || window_.take_urgent();
   if (due && (redraws_ > 0 || studio_.renderer.status().is_busy)) {

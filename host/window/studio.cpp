@@ -96,9 +96,10 @@ ViewPicturePtr Studio::picture() const {
   return stands_in ? played_before_ : rendered;
 }
 
-bool Studio::is_picture_there() const {
+bool Studio::is_picture_there() {
   const ViewPicturePtr seen = picture();
-  return seen && seen->number == number_ && !seen->quick && !feed.is_computing() && !feed.is_stale();
+  return seen && seen->number == number_ && !seen->quick && !feed.is_computing() && !feed.is_stale() &&
+         feed.time() == workspace.session().evaluator().time();
 }
 
 Take Studio::take() {

@@ -64,7 +64,7 @@ class Studio {
   /// What is to be seen now: what the renderer has, or what was played before. Null before the first.
   ViewPicturePtr picture() const;
   /// Whether that shows what was asked for last, past its quick pass.
-  bool is_picture_there() const;
+  bool is_picture_there();
   Developer developer;
   /// Asks for the picture of what is looked at now.
   void update_picture();
