@@ -79,22 +79,73 @@ void Playblast::start(const PlayblastSettings& settings, const std::string& scen
   if (film && !has_ffmpeg())
     throw std::runtime_error("playblast: " + settings.output +
                              ": ffmpeg is not installed; take .png or .exr");
-  if (!film) check_output(settings.output, {});
+  // What cannot be written is told before anything is rendered.
+  if (film)
+    check_writable(settings.output);
+  else
+    check_output(settings.output, {});
   settings_ = settings;
-  done_ = 0;
+  done_ = left_ = 0;
   cancelled_ = films_ = false;
   said_.clear();
   scene_ = folder / fmt::format(".playblast-{}.plinian", getpid());
-  write_file(scene_.string(), std::string_view(scene));
-  std::string output = settings.output;
-  if (film) {
+  try {
+    write_file(scene_.string(), std::string_view(scene));
+    begin();
+  } catch (...) {
+    tidy_up();
+    throw;
+  }
+}
+
+void Playblast::begin() {
+  std::string output = settings_.output;
+  if (is_film(output)) {
     frames_folder_ = fs::temp_directory_path() / fmt::format("plinian-playblast-{}", getpid());
     fs::create_directories(frames_folder_);
     output = (frames_folder_ / "frame.######.png").string();
   }
-  run({fs::read_symlink("/proc/self/exe").string(), "render", scene_.string(), "--frames",
-       fmt::format("{}-{}", settings.first, settings.last), "-o", output, "--preset", settings.quality,
-       "--view", view_words(settings.view), "--exposure", fmt::format("{}", settings.view.exposure)});
+  run({program_.empty() ? fs::read_symlink("/proc/self/exe").string() : program_, "render", scene_.string(),
+       "--frames", fmt::format("{}-{}", settings_.first, settings_.last), "-o", output, "--preset",
+       settings_.quality, "--view", view_words(settings_.view), "--exposure",
+       fmt::format("{}", settings_.view.exposure)});
+}
+
+// Beside the frames, and from there to its place: nobody finds half a film.
+void Playblast::begin_film() {
+  ::close(words_from_);
+  words_from_ = -1;
+  said_.clear();
+  films_ = true;
+  // 4:2:0 wants even sides; a line less is not seen, a black one is. Players take a film for Rec.709, which
+  // the converter does not by itself; fine structure in smoke wants more than the usual quality.
+  run({find_program("ffmpeg"),
+       "-y",
+       "-loglevel",
+       "error",
+       "-framerate",
+       fmt::format("{}", settings_.rate),
+       "-start_number",
+       std::to_string(settings_.first),
+       "-i",
+       (frames_folder_ / "frame.%06d.png").string(),
+       "-vf",
+       "crop=trunc(iw/2)*2:trunc(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv",
+       "-pix_fmt",
+       "yuv420p",
+       "-colorspace",
+       "bt709",
+       "-color_primaries",
+       "bt709",
+       "-color_trc",
+       "iec61966-2-1",
+       "-color_range",
+       "tv",
+       "-crf",
+       "16",
+       "-movflags",
+       "+faststart",
+       (frames_folder_ / "film.mp4").string()});
 }
 
 void Playblast::run(const std::vector<std::string>& words) {
@@ -116,8 +167,7 @@ void Playblast::run(const std::vector<std::string>& words) {
   words_from_ = ends[0];
   if (failed) {
     child_ = -1;
-    tidy_up();
-    throw std::runtime_error("playblast: " + words.front() + " cannot be started");
+    throw std::runtime_error(words.front() + " cannot be started");
   }
   // Whoever sits before the window goes first.
   setpriority(PRIO_PROCESS, id_t(child_), 10);
@@ -135,10 +185,13 @@ void Playblast::read_words() {
     said_.append(buffer, std::size_t(got));
   if (films_) return;
   // A line for each frame that is made, or was there already.
-  done_ = 0;
+  done_ = left_ = 0;
   std::istringstream lines(said_);
-  for (std::string line; std::getline(lines, line);)
-    if (line.find(" passes in ") != line.npos || line.find(": there already") != line.npos) ++done_;
+  for (std::string line; std::getline(lines, line);) {
+    const bool left = line.find(": there already") != line.npos;
+    if (left || line.find(" passes in ") != line.npos) ++done_;
+    if (left) ++left_;
+  }
 }
 
 void Playblast::tidy_up() {
@@ -156,9 +209,11 @@ Playblast::End Playblast::ended(int status) {
   std::string line = last_line(said_);
   const std::string prefix = "plinian: error: ";
   if (line.starts_with(prefix)) line = line.substr(prefix.size());
+  if (cancelled_ && films_) return {false, "playblast stopped: there is no film"};
   if (cancelled_) return {false, fmt::format("playblast stopped after {} of {} frames", done_, frames())};
   if (!good) return {false, "playblast: " + (line.empty() ? "the renderer ended without a word" : line)};
-  return {true, fmt::format("playblast: {} frames, {}", frames(), settings_.output)};
+  return {true, fmt::format("playblast: {} frames, {}{}", frames(), settings_.output,
+                            left_ > 0 ? fmt::format("; {} were there already", left_) : "")};
 }
 
 std::vector<Playblast::End> Playblast::poll() {
@@ -169,21 +224,17 @@ std::vector<Playblast::End> Playblast::poll() {
   read_words();
   child_ = -1;
   End end = ended(status);
-  if (end.succeeded && is_film(settings_.output) && !films_ && !cancelled_) {
-    ::close(words_from_);
-    said_.clear();
-    films_ = true;
-    try {
-      // 4:2:0 wants even sides.
-      run({find_program("ffmpeg"), "-y", "-loglevel", "error", "-framerate",
-           fmt::format("{}", settings_.rate), "-start_number", std::to_string(settings_.first), "-i",
-           (frames_folder_ / "frame.%06d.png").string(), "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt",
-           "yuv420p", settings_.output});
-      return {};
-    } catch (const std::runtime_error& error) {
-      end = {false, error.what()};
+  if (end.succeeded && is_film(settings_.output)) try {
+      if (!films_) {
+        begin_film();
+        return {};
+      }
+      write_file(settings_.output, [&](const std::string& there) {
+        fs::copy_file(frames_folder_ / "film.mp4", there, fs::copy_options::overwrite_existing);
+      });
+    } catch (const std::exception& error) {
+      end = {false, std::string("playblast: ") + error.what()};
     }
-  }
   tidy_up();
   return {end};
 }

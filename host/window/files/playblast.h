@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/image/view_transform.h"
@@ -28,7 +29,8 @@ std::string view_words(const ViewSettings& view);
 
 class Playblast {
  public:
-  Playblast() = default;
+  /// program: that renders; by default the one that runs.
+  explicit Playblast(std::string program = "") : program_(std::move(program)) {}
   /// Ends what runs.
   ~Playblast();
   Playblast(const Playblast&) = delete;
@@ -60,12 +62,16 @@ class Playblast {
   void tidy_up();
   End ended(int status);
 
+  void begin();
+  void begin_film();
+
+  std::string program_;
   PlayblastSettings settings_;
   std::filesystem::path scene_, frames_folder_;  // written aside; the second for a film
   pid_t child_ = -1;
   int words_from_ = -1;  // what it says
   std::string said_;
-  int done_ = 0;
+  int done_ = 0, left_ = 0;                 // frames; left_: that were there already, among the others
   bool cancelled_ = false, films_ = false;  // films_: ffmpeg runs
 };
 
