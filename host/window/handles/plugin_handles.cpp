@@ -46,7 +46,7 @@ void PluginHandles::show(Studio& studio, const ViewPicture& picture, vec2 begin,
   if (held_) drag(studio);
   graph::Session& session = studio.session();
   const auto& selection = session.graph().selection();
-  if (studio.tools.tool == Tool::select || !studio.tools.show || selection.empty()) return;
+  if (studio.tools.tool == Tool::select || !studio.overlay.handles || selection.empty()) return;
   const graph::Node& node = *session.graph().find(selection.back());
   const std::vector<sdk::HandleSpec>& specs = studio.workspace.plugins().handles(node.type->name());
   if (specs.empty()) return;

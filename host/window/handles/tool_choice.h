@@ -10,7 +10,6 @@ enum class AxisSpace { world, local };
 struct ToolChoice {
   Tool tool = Tool::select;
   AxisSpace translate_space = AxisSpace::world, rotate_space = AxisSpace::local;  // as in Maya
-  bool show = true;
   bool is_dragging = false;  // a handle is held
   bool give_up = false;      // what is held goes back to where it was
 

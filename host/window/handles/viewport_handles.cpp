@@ -67,7 +67,7 @@ void ViewportHandles::show(Studio& studio, const ViewPicture& picture, vec2 begi
   const Projection seen_now(scene.camera, scene.width, scene.height, begin, size);
   if (held_) {
     target = held_->drag.target();
-  } else if (studio.tools.show && studio.tools.tool != Tool::select) {
+  } else if (studio.overlay.handles && studio.tools.tool != Tool::select) {
     target = handle_target(studio.session(), studio.tools);
     if (!target || is_looked_through(studio, *target, seen_now)) return;
     settle_sun(studio, scene, *target);

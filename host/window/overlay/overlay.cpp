@@ -240,7 +240,8 @@ void Overlay::select(Studio& studio, Drawings& drawings, const ViewPicture& pict
   const SceneSnapshot& scene = picture.scene;
   if (node.empty()) {
     const Projection projection(scene.camera, scene.width, scene.height, begin, size);
-    if (const auto medium = medium_ahead(scene, projection.eye(), projection.direction(mouse)))
+    if (const auto medium = medium_seen(scene, picture.frame, (mouse - begin) / size, projection.eye(),
+                                        projection.direction(mouse)))
       node = scene.media[*medium].name;
   }
   const graph::Graph& graph = studio.session().graph();

@@ -12,7 +12,7 @@ constexpr std::pair<const char*, bool OverlayChoice::*> words[] = {
     {"grid", &OverlayChoice::grid},           {"axes", &OverlayChoice::axes},
     {"scale_bar", &OverlayChoice::scale_bar}, {"bounds", &OverlayChoice::bounds},
     {"icons", &OverlayChoice::icons},         {"gate", &OverlayChoice::gate},
-    {"drawings", &OverlayChoice::drawings}};
+    {"drawings", &OverlayChoice::drawings},   {"handles", &OverlayChoice::handles}};
 
 }  // namespace
 

@@ -8,6 +8,7 @@ namespace plinian::window {
 struct OverlayChoice {
   bool grid = true, axes = true, scale_bar = true, bounds = true, icons = true, gate = true;
   bool drawings = true;  // of plug-ins
+  bool handles = true;   // of what is selected
 };
 
 /// What is not drawn, a word a line, and back; words that are not understood are left out.

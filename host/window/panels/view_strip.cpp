@@ -90,7 +90,7 @@ void show_what_is_drawn(Studio& studio) {
       {"ground grid", &overlay.grid},          {"axes", &overlay.axes},
       {"scale bar", &overlay.scale_bar},       {"bounds of what is selected", &overlay.bounds},
       {"lights and cameras", &overlay.icons},  {"gate of the scene's camera", &overlay.gate},
-      {"plug-in drawings", &overlay.drawings}, {"handles", &studio.tools.show}};
+      {"plug-in drawings", &overlay.drawings}, {"handles", &overlay.handles}};
   for (const auto& [name, on] : rows) {
     ImGui::Checkbox(name, on);
     note_item(studio.trace, std::string("show ") + name);

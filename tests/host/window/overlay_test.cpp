@@ -84,6 +84,44 @@ TEST(Pick, MeetsTheMediumInFront) {
   EXPECT_EQ(medium_ahead(scene, {0, 0, 10}, {0, 1, 0}), std::nullopt);
 }
 
+// One ball in front of another whose box is wider, seen by pictures of one pixel.
+TEST(Pick, TakesWhatIsSeenUnderTheMouseAndNothingWhereNothingIs) {
+  SceneSnapshot scene;
+  for (const double z : {-6.0, 2.0}) {
+    Medium ball;
+    ball.shape = MediumShape::sphere;
+    ball.world_from_medium = glm::translate(dmat4(1.0), dvec3(0, 0, z));
+    scene.media.push_back(ball);
+  }
+  const auto seen = [&](float transmittance, float depth) {
+    Frame frame;
+    frame.width = frame.height = 1;
+    frame.transmittance = {vec3(transmittance)};
+    frame.depth = {depth};
+    return medium_seen(scene, frame, {0.5f, 0.5f}, {0, 0, 10}, {0, 0, -1});
+  };
+  EXPECT_EQ(seen(0.0f, 7.5f), std::size_t(1)) << "on the one in front";
+  EXPECT_EQ(seen(0.0f, 15.5f), std::size_t(0)) << "through it, on the one behind";
+  EXPECT_EQ(seen(0.7f, INFINITY), std::size_t(1)) << "a veil has no depth: the one in front";
+  EXPECT_EQ(seen(1.0f, INFINITY), std::nullopt) << "in both boxes, but nothing is there";
+}
+
+TEST(Pick, AHandNeedNotBeExact) {
+  SceneSnapshot scene;
+  scene.media.emplace_back().shape = MediumShape::sphere;
+  Frame frame;
+  frame.width = frame.height = 200;
+  frame.transmittance.assign(40000, vec3(1.0f));
+  frame.depth.assign(40000, INFINITY);
+  frame.transmittance[100 * 200 + 102] = vec3(0.0f);
+  frame.depth[100 * 200 + 102] = 9.5f;
+  const auto seen = [&](float x) {
+    return medium_seen(scene, frame, {x / 200.0f, 100.5f / 200.0f}, {0, 0, 10}, {0, 0, -1});
+  };
+  EXPECT_TRUE(seen(100.5f)) << "two pixels beside a thread";
+  EXPECT_FALSE(seen(90.5f));
+}
+
 TEST(SelectCommand, FollowsTheKeysThatAreHeld) {
   EXPECT_EQ(select_command("key", false, false, true, true), "select key");
   EXPECT_EQ(select_command("key", true, false, false, true), "select key -add");
@@ -97,10 +135,11 @@ TEST(SelectCommand, FollowsTheKeysThatAreHeld) {
 TEST(OverlayChoice, WhatIsHiddenIsRememberedAndUnknownWordsHideNothing) {
   OverlayChoice choice;
   EXPECT_EQ(text_of(choice), "");
-  choice.grid = choice.drawings = false;
+  choice.grid = choice.drawings = choice.handles = false;
   const OverlayChoice again = read_overlay_choice(text_of(choice) + "nonsense\n");
   EXPECT_FALSE(again.grid);
   EXPECT_FALSE(again.drawings);
+  EXPECT_FALSE(again.handles);
   EXPECT_TRUE(again.axes && again.scale_bar && again.bounds && again.icons && again.gate);
 }
 
