@@ -71,12 +71,19 @@ void Studio::update_picture() {
     wanted.quality.map.density_weighting = 1.0f;
     wanted.quality.view.exact_light_at_rest = false;
   }
-  if (development.sees_map_error()) wanted.quality.view.light = LightLookup::error;
-  if (played.begin(take())) first_number_ = last_number_ + 1;
-  if (!asked_ || !same_picture(*asked_, wanted)) {
-    asked_ = wanted;
+  if (played.begin(take())) first_number_ = numbers_ + 1;
+  if (!subject_ || !same_picture(*subject_, wanted)) {
+    subject_ = wanted;
     played_before_ = can_play_again() ? played.find(wanted) : nullptr;
-    number_ = played_before_ ? played_before_->number : ++last_number_;
+    subject_number_ = played_before_ ? played_before_->number : ++numbers_;
+    error_number_ = 0;
+  }
+  number_ = subject_number_;
+  // Where the maps are off is another picture of the same: what was compared with it stays good.
+  if (development.sees_map_error()) {
+    wanted.quality.view.light = LightLookup::error;
+    if (error_number_ == 0) error_number_ = ++numbers_;
+    number_ = error_number_;
   }
   // Where the hand rests, what was played stays up until it is refined.
   if (!played_before_ || !is_playing)
@@ -127,7 +134,7 @@ void Studio::keep_played() {
 }
 
 void Studio::render_reference() {
-  if (asked_) comparison.render_reference(*asked_, number_);
+  if (subject_) comparison.render_reference(*subject_, subject_number_);
 }
 
 void Studio::start_playblast(const PlayblastSettings& settings) {

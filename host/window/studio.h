@@ -80,7 +80,7 @@ class Studio {
   /// Makes pictures of the scene that size [pixels], by commands.
   void set_gate(ivec2 size);
   /// Whether what it is compared with shows another scene or view by now.
-  bool is_other_old() const { return comparison.is_old(number_); }
+  bool is_other_old() const { return comparison.is_old(number_) && comparison.is_old(subject_number_); }
 
   // What is looked into.
   Inspector inspector;
@@ -107,12 +107,14 @@ class Studio {
   bool can_play_again() const;
   void keep_played();
 
-  std::optional<SceneSnapshot> asked_;  // that a picture was asked for last
-  std::uint64_t number_ = 0;            // of it
-  std::uint64_t last_number_ = 0;       // that was given
-  std::uint64_t first_number_ = 1;      // of the take that is played
-  ViewPicturePtr played_before_;        // of what was asked for; null: there is none
-  ViewPicturePtr kept_;                 // that was looked at last for what is played
+  std::optional<SceneSnapshot> subject_;  // that a picture was asked for last, in its own light
+  std::uint64_t number_ = 0;              // of that picture
+  std::uint64_t subject_number_ = 0;      // of a picture of it in its own light
+  std::uint64_t error_number_ = 0;        // ... and of its map error; 0: not asked for yet
+  std::uint64_t numbers_ = 0;             // ever given
+  std::uint64_t first_number_ = 1;        // of the take that is played
+  ViewPicturePtr played_before_;          // of what was asked for; null: there is none
+  ViewPicturePtr kept_;                   // that was looked at last for what is played
   std::chrono::steady_clock::time_point hand_on_until_{};
 };
 
