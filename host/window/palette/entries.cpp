@@ -30,7 +30,8 @@ bool needs_words(const graph::CommandSpec& spec) {
 
 }  // namespace
 
-std::vector<PaletteEntry> palette_entries(graph::Session& session, const Hotkeys& hotkeys) {
+std::vector<PaletteEntry> palette_entries(graph::Session& session, const Hotkeys& hotkeys,
+                                          const std::vector<sdk::MenuItem>& of_plugins) {
   std::vector<PaletteEntry> entries;
   for (const Hotkey& hotkey : hotkeys.all()) {
     const std::string keys = text_of(hotkey.chord);
@@ -41,6 +42,13 @@ std::vector<PaletteEntry> palette_entries(graph::Session& session, const Hotkeys
                        .action = hotkey.action,
                        .line = ""});
   }
+  for (const sdk::MenuItem& item : of_plugins)
+    entries.push_back({.title = item.path,
+                       .kind = "menu",
+                       .detail = item.help.empty() ? item.command : item.help,
+                       .keys = "",
+                       .action = {},
+                       .line = item.command});
   const graph::Graph& graph = session.graph();
   for (const graph::Node* node : graph.nodes())
     entries.push_back({.title = node->name,

@@ -9,6 +9,7 @@
 
 #include "core/scene/resources.h"
 #include "host/window/hotkeys/actions.h"
+#include "host/window/palette/menu_entries.h"
 #include "host/window/panels/widgets.h"
 #include "host/window/platform/theme.h"
 
@@ -49,7 +50,8 @@ unsigned colour_of(const std::string& kind) {
 Palette::Palette() : recent_(recent_file(), most_recent) {}
 
 void Palette::begin(Studio& studio) {
-  entries_ = palette_entries(studio.session(), studio.hotkeys);
+  entries_ = palette_entries(studio.session(), studio.hotkeys, studio.workspace.plugins().menu());
+  for (PaletteEntry& entry : menu_entries()) entries_.push_back(std::move(entry));
   query_[0] = 0;
   shown_query_.clear();
   found_ = matching(entries_, "", recent_.all());
@@ -96,6 +98,10 @@ std::optional<Action> Palette::choose(Studio& studio, const PaletteEntry& entry)
   studio.show_palette = false;
   ImGui::CloseCurrentPopup();
   if (entry.action) return entry.action;
+  if (entry.act) {
+    entry.act(studio);
+    return std::nullopt;
+  }
   if (entry.is_open)
     begin_line(studio, entry.line + " ");
   else

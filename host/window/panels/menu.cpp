@@ -1,8 +1,10 @@
-// Every entry is an action of the hotkeys or a command.
+// Every entry is an action of the hotkeys or a command, those of plug-ins too.
 #include "host/window/panels/menu.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
+
+#include <set>
 
 #include "host/scene/looks.h"
 #include "host/window/hotkeys/actions.h"
@@ -28,6 +30,34 @@ std::string with_name(const char* what, const std::vector<std::string>& names, b
   std::string name = last ? names.back() : names.front();
   if (name.size() > 40) name = name.substr(0, 37) + "...";
   return std::string(what) + "  " + name;
+}
+
+// What plug-ins add behind `begin` of a path, "Create/": an entry, or a menu of them.
+void of_plugins(Studio& studio, const std::string& begin) {
+  std::set<std::string> menus;
+  for (const sdk::MenuItem& item : studio.workspace.plugins().menu()) {
+    if (!item.path.starts_with(begin)) continue;
+    const std::string rest = item.path.substr(begin.size()), name = rest.substr(0, rest.find('/'));
+    if (name == rest) {
+      if (ImGui::MenuItem(name.c_str())) studio.commands.run(item.command, "", true);
+      note_item(studio.trace, "menu " + item.path);
+      if (!item.help.empty() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", item.help.c_str());
+    } else if (menus.insert(name).second && ImGui::BeginMenu(name.c_str())) {
+      of_plugins(studio, begin + name + "/");
+      ImGui::EndMenu();
+    }
+  }
+}
+
+// Menus that only plug-ins have.
+void menus_of_plugins(Studio& studio) {
+  std::set<std::string> menus = {"Scene", "Edit", "Tools", "Create", "Looks", "View", "Compare"};
+  for (const sdk::MenuItem& item : studio.workspace.plugins().menu()) {
+    const std::string name = item.path.substr(0, item.path.find('/'));
+    if (name == item.path || !menus.insert(name).second || !ImGui::BeginMenu(name.c_str())) continue;
+    of_plugins(studio, name + "/");
+    ImGui::EndMenu();
+  }
 }
 
 void create_menu(Studio& studio) {
@@ -131,6 +161,7 @@ void show_menu(Studio& studio) {
       studio.playblast.cancel();
     ImGui::Separator();
     if (ImGui::MenuItem("Quit")) studio.wants_quit = true;
+    of_plugins(studio, "Scene/");
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Edit")) {
@@ -142,6 +173,7 @@ void show_menu(Studio& studio) {
     item(studio, "Delete", Action::delete_nodes);
     ImGui::Separator();
     item(studio, "Find...", Action::palette);
+    of_plugins(studio, "Edit/");
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Tools")) {
@@ -153,14 +185,17 @@ void show_menu(Studio& studio) {
     ImGui::Separator();
     item(studio, "Its own axes", Action::axis_space, tool == Tool::translate || tool == Tool::rotate,
          studio.tools.space() == AxisSpace::local);
+    of_plugins(studio, "Tools/");
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Create")) {
     create_menu(studio);
+    of_plugins(studio, "Create/");
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Looks")) {
     looks_menu(studio);
+    of_plugins(studio, "Looks/");
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("View")) {
@@ -178,12 +213,15 @@ void show_menu(Studio& studio) {
     item(studio, "Panels", Action::toggle_panels, true, studio.show_panels);
     item(studio, "Node editor", Action::node_editor, true, studio.show_nodes && studio.show_panels);
     item(studio, "Hotkeys", Action::hotkey_list);
+    of_plugins(studio, "View/");
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Compare")) {
     compare_menu(studio);
+    of_plugins(studio, "Compare/");
     ImGui::EndMenu();
   }
+  menus_of_plugins(studio);
   ImGui::EndMainMenuBar();
 }
 

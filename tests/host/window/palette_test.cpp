@@ -41,10 +41,11 @@ class PaletteEntries : public testing::Test {
   ~PaletteEntries() override { ::unsetenv("PLINIAN_PATH"); }
   graph::Session& session() { return workspace_.session(); }
   std::vector<PaletteEntry> found(const std::string& query, const std::vector<std::string>& recent = {}) {
-    return matching(palette_entries(session(), hotkeys_), query, recent);
+    return matching(palette_entries(session(), hotkeys_, of_plugins_), query, recent);
   }
   scene::Workspace workspace_;
   Hotkeys hotkeys_;
+  std::vector<sdk::MenuItem> of_plugins_;
 };
 
 TEST_F(PaletteEntries, HaveActionsWithTheirKeysCommandsNodesAndLooks) {
@@ -56,6 +57,14 @@ TEST_F(PaletteEntries, HaveActionsWithTheirKeysCommandsNodesAndLooks) {
   EXPECT_EQ(found("ash look").at(0).line, "preset apply \"ash\" fog");
   EXPECT_EQ(found("spotlight").at(0).line, "createNode spotLight");
   EXPECT_TRUE(found("no such thing as this").empty());
+}
+
+TEST_F(PaletteEntries, OfMenusOfPluginsRunTheirCommand) {
+  of_plugins_.push_back(
+      {.path = "Create/Clouds/Anvil", .command = "createNode transform", .help = "", .plugin = "sky"});
+  EXPECT_EQ(found("anvil").at(0).id(), "menu Create/Clouds/Anvil");
+  EXPECT_EQ(found("anvil").at(0).line, "createNode transform");
+  EXPECT_FALSE(found("anvil").at(0).is_open);
 }
 
 // All that can be run at once can be run: each in a session of its own scene.

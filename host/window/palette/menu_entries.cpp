@@ -1,0 +1,46 @@
+// A table.
+#include "host/window/palette/menu_entries.h"
+
+#include "host/window/studio.h"
+
+namespace plinian::window {
+
+std::vector<PaletteEntry> menu_entries() {
+  std::vector<PaletteEntry> entries;
+  const auto add = [&](const char* title, const char* help, std::function<void(Studio&)> act) {
+    entries.push_back({.title = title,
+                       .kind = "menu",
+                       .detail = help,
+                       .keys = "",
+                       .action = {},
+                       .line = "",
+                       .is_open = false,
+                       .act = std::move(act)});
+  };
+  for (const char* kind : {"ash", "cloud", "sandstorm", "explosion"})
+    add((std::string("begin with ") + kind).c_str(), "a procedural medium in place of the scene",
+        [kind](Studio& s) {
+          s.files.unless_unsaved([&s, kind] {
+            s.session().execute("newScene -force");
+            s.viewpoint.look = {};
+            s.files.begin_with(kind);
+          });
+        });
+  add("look gallery", "the scene in every look beside the picture", [](Studio& s) { s.show_looks ^= true; });
+  add("snapshots", "the strip of snapshots", [](Studio& s) { s.show_snapshots ^= true; });
+  add("load a plate", "a picture behind what has an alpha", [](Studio& s) { s.ask_plate = true; });
+  add("set the gate", "to the size of the reference", [](Studio& s) {
+    if (const auto size = s.comparison.wanted_size()) s.set_gate(*size);
+  });
+  add("match exposure and background", "of a reference from a file",
+      [](Studio& s) { s.development.matches ^= true; });
+  add("compare with nothing", "let go of the other picture",
+      [](Studio& s) { s.comparison.keep(nullptr, "", OtherKind::none); });
+  add("stop the reference", "what is rendered of it is lost",
+      [](Studio& s) { s.comparison.stop_reference(); });
+  add("stop the playblast", "frames that are done stay", [](Studio& s) { s.playblast.cancel(); });
+  add("quit", "asks about unsaved changes", [](Studio& s) { s.wants_quit = true; });
+  return entries;
+}
+
+}  // namespace plinian::window
