@@ -10,8 +10,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cctype>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -21,6 +24,7 @@
 
 #include "core/files/atomic_file.h"
 #include "core/image/image_io.h"
+#include "tests/host/window/file_drag.h"
 
 namespace plinian {
 
@@ -328,6 +332,24 @@ void Sitting::type(const std::string& text) {
     if (shift) key_up("Shift_L");
   }
   pause();
+}
+
+void Sitting::drop(const std::vector<fs::path>& files, ivec2 at) {
+  std::string uris;
+  for (const fs::path& file : files) {
+    uris += "file://";
+    for (const char c : file.string())
+      if (std::isalnum((unsigned char)c) || std::strchr("/-_.~", c)) {
+        uris += c;
+      } else {
+        char escaped[4];
+        std::snprintf(escaped, sizeof escaped, "%%%02X", unsigned((unsigned char)c));
+        uris += escaped;
+      }
+    uris += "\r\n";
+  }
+  move(at);
+  drop_uris(state_->display, state_->window, uris, at);
 }
 
 void Sitting::resize(ivec2 size) {

@@ -61,6 +61,9 @@ class Sitting {
   void stroke(const std::string& keysyms);
   void type(const std::string& text);
 
+  /// Files, dropped there by a file manager.
+  void drop(const std::vector<std::filesystem::path>& files, ivec2 at);
+
   Pixels pixels(ivec4 area);
   /// Where PLINIAN_SITTING_PICTURES names a folder, keeps there what is on the screen, to be looked at.
   void keep(const std::string& name);
