@@ -10,8 +10,8 @@ enum class AxisSpace { world, local };
 struct ToolChoice {
   Tool tool = Tool::select;
   AxisSpace translate_space = AxisSpace::world, rotate_space = AxisSpace::local;  // as in Maya
-  bool is_dragging = false;  // a handle is held
-  bool give_up = false;      // what is held goes back to where it was
+  bool is_dragging = false;                                                       // a handle is held
+  bool give_up = false;  // what is held goes back to where it was
 
   /// Along what axes the tool works; scaling knows its own alone.
   AxisSpace space() const {
