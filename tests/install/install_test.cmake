@@ -26,14 +26,15 @@ run(${CMAKE_COMMAND} -S ${SOURCE}/tests/install/consumer -B ${WORK}/consumer -G 
 run(${CMAKE_COMMAND} --build ${WORK}/consumer)
 run(${WORK}/consumer/consumer)
 
-# A plug-in, built as anyone's.
+# A plug-in, built as anyone's who wants to hear of everything, also of fields that are left out.
+set(strict "-Wall -Wextra -Wpedantic -Werror")
 run(${CMAKE_COMMAND} -S ${SOURCE}/tests/install/plugin -B ${WORK}/plugin -G Ninja -DCMAKE_BUILD_TYPE=Release
-    -DCMAKE_PREFIX_PATH=${WORK}/prefix)
+    -DCMAKE_PREFIX_PATH=${WORK}/prefix "-DCMAKE_CXX_FLAGS=${strict}")
 build(${WORK}/plugin)
 find_program(clang clang++)
 if(clang)
   run(${CMAKE_COMMAND} -S ${SOURCE}/tests/install/plugin -B ${WORK}/plugin_clang -G Ninja -DCMAKE_BUILD_TYPE=Release
-      -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_CXX_COMPILER=${clang})
+      -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_CXX_COMPILER=${clang} "-DCMAKE_CXX_FLAGS=${strict}")
   build(${WORK}/plugin_clang)
   file(WRITE ${WORK}/clang.pln "pluginInfo ${WORK}/plugin_clang/outside.so\n")
   run(${WORK}/prefix/bin/plinian run ${WORK}/clang.pln)
@@ -49,8 +50,9 @@ set(lines "${CMAKE_MATCH_1}")
 set(answers "${CMAKE_MATCH_2}")
 file(WRITE ${WORK}/readme.sh "prefix=${WORK}/prefix\n${lines}")
 file(MAKE_DIRECTORY ${WORK}/author)
-execute_process(COMMAND sh -ex ${WORK}/readme.sh WORKING_DIRECTORY ${WORK}/author RESULT_VARIABLE code
-                OUTPUT_VARIABLE output ERROR_VARIABLE errors)
+execute_process(COMMAND ${CMAKE_COMMAND} -E env "CXXFLAGS=${strict}" sh -ex ${WORK}/readme.sh
+                WORKING_DIRECTORY ${WORK}/author
+                RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE errors)
 if(NOT code EQUAL 0)
   message(FATAL_ERROR "the README's lines ended with ${code}:\n${output}\n${errors}")
 endif()
@@ -99,7 +101,8 @@ file(COPY_FILE ${WORK}/marker_old/marker.so ${WORK}/author/marker/marker_old.so)
 run(${CMAKE_COMMAND} -E env PLINIAN_TUTORIAL=${WORK}/author/marker ${BUILD}/tests/host/draw/draw_test --gtest_filter=*Tutorial*)
 
 # The one that shows every type of attribute.
-run(${CMAKE_COMMAND} -S ${examples}/attributes -B ${WORK}/attributes -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/prefix)
+run(${CMAKE_COMMAND} -S ${examples}/attributes -B ${WORK}/attributes -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/prefix
+    "-DCMAKE_CXX_FLAGS=${strict}")
 build(${WORK}/attributes)
 run(${CMAKE_COMMAND} -E env PLINIAN_PLUGIN_PATH=${WORK}/attributes ${WORK}/prefix/bin/plinian run
     ${examples}/attributes/try.pln)

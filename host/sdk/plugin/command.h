@@ -36,14 +36,14 @@ class Call {
 };
 
 struct Argument {
-  std::string name, kind = "text", help;
+  std::string name{}, kind = "text", help{};
   bool optional = false, many = false;
 };
 
 struct Command {
-  std::string name, help;
-  std::vector<Argument> parameters, flags;  // a flag of kind "" takes no word
-  std::function<void(Call&)> run;
+  std::string name{}, help{};
+  std::vector<Argument> parameters{}, flags{};  // a flag of kind "" takes no word
+  std::function<void(Call&)> run{};
 };
 
 /// Files that the commands import and export take, by extension. An importer runs commands that make what the
@@ -52,15 +52,15 @@ struct Command {
 /// those that were named or are selected first; it writes to `path`, a temporary file that takes the real
 /// one's place when it returns.
 struct FileType {
-  std::string name, help;
-  std::string extensions;  // "chan" or "obj ply", in lower case
-  std::function<void(Call&, const std::string&path)> import_file, export_file;
+  std::string name{}, help{};
+  std::string extensions{};  // "chan" or "obj ply", in lower case
+  std::function<void(Call&, const std::string&path)> import_file{}, export_file{};
 };
 
 /// An entry of a menu, which runs a command line.
 struct MenuEntry {
-  std::string path;  // "Create/Clouds/Ash Column"
-  std::string command, help;
+  std::string path{};  // "Create/Clouds/Ash Column"
+  std::string command{}, help{};
 };
 
 namespace detail {

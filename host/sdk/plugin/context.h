@@ -27,8 +27,8 @@ class Context {
  public:
   Context(const PlinianCompute& table, PlinianContext* context) : table_(table), context_(context) {}
 
-  /// Of a bool 0 or 1, of an enum the number of its choice (not its place among them), of a distance metres, of
-  /// an angle degrees, of a time frames.
+  /// Of a bool 0 or 1, of an enum the number of its choice (not its place among them), of a distance metres,
+  /// of an angle degrees, of a time frames.
   double number(Attribute a, std::int32_t element = -1) const { return read_number(a, element, nullptr); }
   std::array<float, 4> vector(Attribute a, std::int32_t element = -1) const {
     return read_vector(a, element, nullptr);

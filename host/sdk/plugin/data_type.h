@@ -15,9 +15,9 @@ namespace PLINIAN_HIDDEN sdk {
 
 /// Attributes of this data type can be set, and are stored in scenes. Make one with DataType::of.
 struct DataType {
-  std::string name;
-  std::function<std::string(const void* object)> serialise;
-  std::function<PlinianData(std::string_view bytes)> deserialise;
+  std::string name{};
+  std::function<std::string(const void* object)> serialise{};
+  std::function<PlinianData(std::string_view bytes)> deserialise{};
 
   /// Of objects of type T, handed on by Context::set_data. write: an object as bytes, best as text, which
   /// diffs well; read: the object again; throws for bytes that are none. bytes_of: held in memory by one.

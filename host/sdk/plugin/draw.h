@@ -56,24 +56,24 @@ struct DrawContext {
 
 /// Any draw override; make one with draw_override.
 struct AnyDraw {
-  std::string affected_by;
-  std::function<PlinianData(Context&)> prepare;
-  std::function<bool(const Gl&, const void* data, void** resources)> upload;
-  std::function<void(const DrawContext&, const void* data, void* resources)> draw;
-  std::function<void(const Gl&, void* resources)> release;
-  std::function<std::optional<double>(const DrawContext&, const void* data, float x, float y)> hit;
+  std::string affected_by{};
+  std::function<PlinianData(Context&)> prepare{};
+  std::function<bool(const Gl&, const void* data, void** resources)> upload{};
+  std::function<void(const DrawContext&, const void* data, void* resources)> draw{};
+  std::function<void(const Gl&, void* resources)> release{};
+  std::function<std::optional<double>(const DrawContext&, const void* data, float x, float y)> hit{};
 };
 
 /// A draw override of draw data `Data` and GL objects `Resources`, which is made empty.
 template <class Data, class Resources>
 struct Draw {
-  std::string affected_by;  // attributes that drawing depends on, separated by spaces; empty: all inputs
-  std::function<std::unique_ptr<const Data>(Context&)> prepare;           // on any thread
-  std::function<bool(const Gl&, const Data&, Resources&)> upload;         // true when done; else again soon
-  std::function<void(const DrawContext&, const Data&, Resources&)> draw;  // throws to fail
-  std::function<void(const Gl&, Resources&)> release;
+  std::string affected_by{};  // attributes that drawing depends on, separated by spaces; empty: all inputs
+  std::function<std::unique_ptr<const Data>(Context&)> prepare{};           // on any thread
+  std::function<bool(const Gl&, const Data&, Resources&)> upload{};         // true when done; else again soon
+  std::function<void(const DrawContext&, const Data&, Resources&)> draw{};  // throws to fail
+  std::function<void(const Gl&, Resources&)> release{};
   /// Whether a pixel is on it, and how far away that is [world]. May be empty.
-  std::function<std::optional<double>(const DrawContext&, const Data&, float x, float y)> hit;
+  std::function<std::optional<double>(const DrawContext&, const Data&, float x, float y)> hit{};
 };
 
 template <class Data, class Resources>

@@ -20,14 +20,14 @@ enum class Grip : std::uint32_t {
 
 /// What an artist takes hold of in a viewport; names of attributes are empty where one is not needed.
 struct Handle {
-  std::string name;
+  std::string name{};
   Grip grip = Grip::point;
-  std::string attribute;  // that dragging sets
-  std::string origin;     // float3: where it begins; empty: 0 0 0
-  std::string along;      // float3: its direction; empty: axis
+  std::string attribute{};  // that dragging sets
+  std::string origin{};     // float3: where it begins; empty: 0 0 0
+  std::string along{};      // float3: its direction; empty: axis
   std::array<float, 3> axis{0, 0, 1};
-  std::string length;     // number: how far from the origin it is shown; empty: 1
-  std::string transform;  // matrix: from the handle's space to the object's; empty: the same
+  std::string length{};     // number: how far from the origin it is shown; empty: 1
+  std::string transform{};  // matrix: from the handle's space to the object's; empty: the same
   std::array<float, 3> colour{1, 1, 1};
 };
 

@@ -19,14 +19,15 @@ namespace PLINIAN_HIDDEN sdk {
 
 /// As the host's own declaration of an attribute. Types and defaults are spelled as in scene files.
 struct AttributeSpec {
-  std::string name, type = "float", default_value, nice_name, help, unit, group, choices, data_type, affects;
-  std::optional<double> minimum, maximum, soft_minimum, soft_maximum;
+  std::string name{}, type = "float", default_value{}, nice_name{}, help{}, unit{};
+  std::string group{}, choices{}, data_type{}, affects{};
+  std::optional<double> minimum{}, maximum{}, soft_minimum{}, soft_maximum{};
   bool array = false, output = false, hidden = false, read_only = false;
   bool keyable = true, storable = true, connectable = true;
   bool of_picture = true;  // of a shape: affects its contribution
-  std::vector<AttributeSpec> children;
-  std::string widget, shown_when;  // "slider"; "mode=low,high": shown while the attribute reads so
-  double step = 0.0;               // of the slider; 0: smooth
+  std::vector<AttributeSpec> children{};
+  std::string widget{}, shown_when{};  // "slider"; "mode=low,high": shown while the attribute reads so
+  double step = 0.0;                   // of the slider; 0: smooth
 };
 
 /// The attributes of a node in an older scene, by their paths, as texts.

@@ -25,9 +25,9 @@ enum class FilmFit : std::uint32_t { fill, horizontal, vertical, overscan };
 
 /// Fields as in PlinianMedium.
 struct Medium {
-  std::string name;
+  std::string name{};
   MediumShape shape = MediumShape::voxels;
-  Volume volume;
+  Volume volume{};
   Matrix object_from_medium = identity;
   float density_scale = 1.0f;
   Colour sigma_s{0.8f, 0.8f, 0.8f}, sigma_a{0.2f, 0.2f, 0.2f};
@@ -39,7 +39,7 @@ struct Medium {
 
 /// Fields as in PlinianLight.
 struct Light {
-  std::string name;
+  std::string name{};
   LightType type = LightType::directional;
   Vector toward{0.0f, 0.0f, 1.0f}, position{};
   Colour colour{1.0f, 1.0f, 1.0f};
@@ -50,7 +50,7 @@ struct Light {
 
 /// Fields as in PlinianCamera.
 struct Camera {
-  std::string name;
+  std::string name{};
   Matrix object_from_camera = identity;
   float focal_length = 35.0f;
   std::array<float, 2> film_back{36.0f, 24.0f};

@@ -36,7 +36,7 @@ struct VolumeSource {
   Matrix object_from_index = identity;
   /// Fills the 8^3 voxels, x fastest, from `first` on, a multiple of 8: density >= 0 and, where the volume
   /// has temperatures (else null), kelvins. Both are zero beforehand. Returns false for an empty block.
-  std::function<bool(const Voxel& first, float* density, float* temperature)> fill;
+  std::function<bool(const Voxel& first, float* density, float* temperature)> fill{};
   bool temperatures = false, concurrent = false;  // concurrent: fill may run on several threads at a time
   std::uint64_t content = 0;                      // equal for equal content; 0: not known
 
