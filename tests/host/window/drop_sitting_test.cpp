@@ -1,10 +1,7 @@
 // Files that are dropped on the window by a file manager.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 
-#include "core/files/atomic_file.h"
-#include "core/image/image_io.h"
 #include "tests/host/cli/program.h"
 #include "tests/host/window/sitting.h"
 
