@@ -1,4 +1,5 @@
-// plinian bench: times of this machine (timing.h), or errors from frame to frame (swim.h).
+// plinian bench: times of this machine (timing.h), errors from frame to frame (swim.h), or how drags in the
+// window feel (drags.h).
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -7,8 +8,11 @@
 
 #include "host/cli/command.h"
 #include "host/cli/console.h"
+#include "host/cli/drags.h"
+#include "host/cli/machine.h"
 #include "host/cli/prepared_scene.h"
 #include "host/cli/progress.h"
+#include "host/cli/renderers.h"
 #include "host/cli/scene_arguments.h"
 #include "host/cli/swim.h"
 #include "host/cli/timing.h"
@@ -26,6 +30,8 @@ struct BenchArguments {
   int swim_frames = 0;  // 0: times, not errors
   double swim_degrees = 1.0;
   std::string against;
+  bool drags = false, renderer_given = false;
+  DragOptions drag;
   bool json = false, quiet = false;
 };
 
@@ -35,11 +41,13 @@ Examples:
   plinian bench smoke.json --size 512x512 --runs 9 --json
   plinian bench ash --resolution 128 --size 128x128 --swim 4
   plinian bench smoke.json --against 'vdb_render smoke.vdb /tmp/out.exr -res 512x512'
+  plinian bench ash --resolution 256 --drags
 What is timed: an orbit frame (the camera moves, maps are kept); an albedo edit; an extinction edit and a light edit
 (maps are rebuilt); a frame change (a new volume of the same kind); and, for comparison, the same view march with a
 march to the light instead of the maps. One jittered pass each. With --swim nothing is timed: every frame of a small
 orbit and of a turn of the first light is held against the reference, and so is the change of that error from one
-frame to the next.)";
+frame to the next. With --drags the window's own renderer is asked for pictures sixty times a second, as by a hand that
+drags the density, the key light and the camera under the preset fast, and lets go under high.)";
 
 void print_table(const ordered_json& report) {
   std::string text =
@@ -94,8 +102,27 @@ void print_swim(const ordered_json& report) {
   print(text);
 }
 
+int run_drags(const BenchArguments& arguments) {
+  PreparedScene prepared = prepare_scene(arguments.scene);
+  SceneSnapshot scene = prepared.snapshot;
+  DragOptions options = arguments.drag;
+  options.renderer = choose_renderer(arguments.renderer_given ? arguments.renderers.front() : "auto").name;
+  scene.quality = prepare_quality(arguments.scene, arguments.presets.front());
+  options.rest = prepare_quality(arguments.scene, arguments.presets.back());
+  ordered_json report = {{"scene", arguments.scene.input}, {"size", {scene.width, scene.height}},
+                         {"machine", machine_name()},      {"renderer", options.renderer},
+                         {"preset", scene.quality.name},   {"seconds", options.seconds}};
+  {
+    ProgressBar bar("dragging");
+    report.update(measure_drags(scene, options, [&](double share) { return bar(share); }));
+  }
+  print(arguments.json ? report.dump(2) + "\n" : drags_table(report));
+  return exit_success;
+}
+
 int run_bench(const BenchArguments& arguments) {
   set_quiet(arguments.quiet);
+  if (arguments.drags) return run_drags(arguments);
   const SceneSnapshot scene = prepare_scene(arguments.scene).snapshot;
   std::vector<BenchQuality> qualities;
   for (const std::string& renderer : arguments.renderers)
@@ -140,11 +167,12 @@ Run set_up_bench(CLI::App& app) {
       ->allow_extra_args(false)
       ->capture_default_str()
       ->group("Quality");
-  app.add_option("--renderer", arguments->renderers, "which to time: gl, cpu; may be repeated")
-      ->check(CLI::IsMember({"gl", "cpu"}))
-      ->type_name("NAME")
-      ->allow_extra_args(false)
-      ->capture_default_str();
+  CLI::Option* const renderer =
+      app.add_option("--renderer", arguments->renderers, "which to time: gl, cpu; may be repeated")
+          ->check(CLI::IsMember({"gl", "cpu"}))
+          ->type_name("NAME")
+          ->allow_extra_args(false)
+          ->capture_default_str();
   app.add_option("--runs", arguments->runs, "medians are over so many")
       ->type_name("N")
       ->check(CLI::Range(1, 1000))
@@ -164,9 +192,35 @@ Run set_up_bench(CLI::App& app) {
       ->type_name("DEGREES")
       ->check(CLI::Range(-180.0, 180.0))
       ->capture_default_str();
+  CLI::Option* const drags =
+      app.add_flag("--drags", arguments->drags,
+                   "measure drags in the window: pictures a second, how late they come, how like they are to "
+                   "the pictures at "
+                   "rest (of the first --preset), and how fast a picture comes to rest (in the last)");
+  drags->excludes("--swim")->excludes("--against")->group("Drags");
+  app.add_option("--drag-seconds", arguments->drag.seconds, "of each drag")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.1, 600.0))
+      ->capture_default_str()
+      ->needs(drags)
+      ->group("Drags");
+  app.add_option("--drag-samples", arguments->drag.samples,
+                 "pictures of each drag held against those at rest")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str()
+      ->needs(drags)
+      ->group("Drags");
+  app.add_option("--drag-pictures", arguments->drag.folder, "a folder for those pictures, as PNG")
+      ->type_name("FOLDER")
+      ->needs(drags)
+      ->group("Drags");
   app.add_flag("--json", arguments->json, "for scripts");
   app.add_flag("-q,--quiet", arguments->quiet, "no notes and no progress");
-  return [arguments](const std::string&) { return run_bench(*arguments); };
+  return [=](const std::string&) {
+    arguments->renderer_given = renderer->count() > 0;
+    return run_bench(*arguments);
+  };
 }
 
 }  // namespace plinian::cli

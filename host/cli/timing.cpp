@@ -6,16 +6,15 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <fstream>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "core/scene/framing.h"
 #include "core/scene/preset.h"
 #include "host/cli/console.h"
 #include "host/cli/interruption.h"
+#include "host/cli/machine.h"
 #include "host/cli/renderers.h"
 
 namespace plinian::cli {
@@ -121,7 +120,7 @@ class Timing {
       preset["map_bytes"] = one.last.map_bytes;
       builds[one.renderer_name][one.quality_name] = one.map_builds;
     }
-    ordered_json report = {{"machine", machine()},
+    ordered_json report = {{"machine", machine_name()},
                            {"renderers", renderers},
                            {"ratios", ratios()},
                            {"map_builds", builds},
@@ -209,17 +208,6 @@ class Timing {
       }
     }
     return result;
-  }
-
-  static std::string machine() {
-    std::ifstream file("/proc/cpuinfo");
-    std::string line, model = "unknown processor";
-    while (std::getline(file, line))
-      if (line.starts_with("model name")) {
-        model = line.substr(line.find(':') + 2);
-        break;
-      }
-    return fmt::format("{}, {} cores", model, std::thread::hardware_concurrency());
   }
 
   const TimingOptions& options_;

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <utility>
 
 #include "host/window/view/interactive_cost.h"
 #include "host/window/view/quick_maps.h"
@@ -77,6 +78,7 @@ class ViewRenderer::Thread {
   void serve(const ViewRequest& request) {
     if (!renderer_) renderer_ = owner_.make_();
     start_ = Clock::now();
+    builds_ = renderer_->stats().map_builds;
     if (refines(request))
       add_light_maps(request);
     else if (!relight(request))
@@ -171,6 +173,7 @@ class ViewRenderer::Thread {
   Frame render(const SceneSnapshot& scene, const Passes& passes, const Progress& progress) {
     // After a first pass the maps are there, whatever ends the picture.
     bool maps_there = false;
+    map_resolution_ = scene.quality.map.resolution;
     Passes told = passes;
     told.on_mean = [&](int done, const std::function<Frame()>& mean) {
       if (!maps_there) quick_maps_.rendered(scene);
@@ -195,7 +198,9 @@ class ViewRenderer::Thread {
     picture->quick = quick;
     picture->at_rest = at_rest;
     picture->passes = passes;
+    picture->map_resolution = map_resolution_;
     picture->stats = renderer_->stats();
+    picture->map_builds = picture->stats.map_builds - std::exchange(builds_, picture->stats.map_builds);
     picture->render_ms = milliseconds_since(start_);
     if (request.light_maps)
       picture->light_maps = light_maps ? light_maps : copy_light_maps(*renderer_, copied_);
@@ -222,6 +227,8 @@ class ViewRenderer::Thread {
   InteractiveCost cost_;
   QuickMaps quick_maps_;
   Clock::time_point start_;
+  int map_resolution_ = 0;   // [texels] of what is rendered
+  std::int64_t builds_ = 0;  // of maps, up to the last picture
   ViewPicturePtr rendered_, shown_;
   LightMapCopyPtr copied_;  // of the last picture that wanted light maps
   bool at_rest_ = false;

@@ -33,6 +33,8 @@ struct ViewPicture {
   bool at_rest = false;      // no further pass follows
   int passes = 0;
   bool is_played = false;  // shown again, without its layers: see PlayedFrames
+  int map_resolution = 0;       // [texels] of its light maps
+  std::int64_t map_builds = 0;  // maps that were built for it
   RenderStats stats;
   double render_ms = 0.0;      // wall clock since the request was taken up
   LightMapCopyPtr light_maps;  // that it was made with, where the request wanted them and there are any
