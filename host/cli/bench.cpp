@@ -211,6 +211,12 @@ Run set_up_bench(CLI::App& app) {
       ->capture_default_str()
       ->needs(drags)
       ->group("Drags");
+  app.add_option("--rest-seconds", arguments->drag.rest_seconds, "that a picture is given to come to rest")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->capture_default_str()
+      ->needs(drags)
+      ->group("Drags");
   app.add_option("--drag-pictures", arguments->drag.folder, "a folder for those pictures, as PNG")
       ->type_name("FOLDER")
       ->needs(drags)

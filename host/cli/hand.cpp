@@ -1,5 +1,6 @@
 #include "host/cli/hand.h"
 
+#include <cmath>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -79,10 +80,11 @@ Hand::Movement Hand::move(double seconds, const std::function<SceneSnapshot(doub
   keeps_ = keeps;
   Movement movement;
   const std::uint64_t dropped = renderer_.status().dropped;
-  constexpr std::chrono::microseconds turn(16667);
-  for (Clock::time_point next = begin_; seconds_between(begin_, next) <= seconds; next += turn) {
-    std::this_thread::sleep_until(next);
-    const double u = std::min(1.0, seconds_between(begin_, next) / seconds);
+  const int turns = std::max(1, int(std::lround(60.0 * seconds)));
+  for (int i = 0; i <= turns; ++i) {
+    const double u = double(i) / turns;
+    std::this_thread::sleep_until(
+        begin_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(u * seconds)));
     {
       const std::lock_guard lock(mutex_);
       place_of_.emplace(number_ + 1, u);
