@@ -79,7 +79,7 @@ class GlRenderer final : public Renderer {
   std::vector<const passes::VolumeTextures*> upload(const FlatScene& flat);
   std::shared_ptr<const std::string> kept_text(std::string text);
   void publish(const FlatScene& flat, BatchState& batch);
-  void build_maps(const FlatScene& flat, BatchState& batch, const std::function<bool()>& go_on);
+  bool build_maps(FlatScene& flat, BatchState& batch, const std::function<bool()>& go_on);
   Frame render_once(const SceneSnapshot& scene, const Passes& passes, const Progress& progress);
 
   bool own_context_;
@@ -119,7 +119,8 @@ std::vector<const passes::VolumeTextures*> GlRenderer::upload(const FlatScene& f
   return textures;
 }
 
-void GlRenderer::build_maps(const FlatScene& flat, BatchState& batch, const std::function<bool()>& go_on) {
+// Returns whether a map that was there serves by a power, which is then among its exponents.
+bool GlRenderer::build_maps(FlatScene& flat, BatchState& batch, const std::function<bool()>& go_on) {
   const std::size_t texels = std::size_t(flat.layout.resolution) * flat.layout.resolution *
                              words_per_texel(flat.layout.coefficients) *
                              std::max<std::size_t>(1, flat.maps.size());
@@ -129,9 +130,15 @@ void GlRenderer::build_maps(const FlatScene& flat, BatchState& batch, const std:
     batch.built.assign(flat.maps.size(), std::nullopt);
     batch.version = ++map_versions_;
   }
+  bool raises = false;
   for (std::size_t i = 0; i < flat.maps.size(); ++i) {
     MapKey key = map_key(flat, int(i));
-    if (batch.built[i] && rebuild_reason(*batch.built[i], key).empty()) continue;
+    const auto power = batch.built[i] ? map_power(*batch.built[i], key, flat.extinction_reuse) : std::nullopt;
+    if (power) {
+      raises = raises || *power != 1.0f;
+      flat.maps[i].exponent *= *power;
+      continue;
+    }
     batch.built[i].reset();
     batch.version = ++map_versions_;
     if (!gpu_->map_pass.build(gpu_->blocks, flat, int(i), batch.maps, go_on)) throw RenderCancelled();
@@ -139,6 +146,7 @@ void GlRenderer::build_maps(const FlatScene& flat, BatchState& batch, const std:
     ++stats_.map_builds;
   }
   stats_.map_bytes += texels * sizeof(uvec4);
+  return raises;
 }
 
 // The same object for the same text, so that whoever made a program with it finds that again: quick maps and
@@ -165,7 +173,6 @@ void GlRenderer::publish(const FlatScene& flat, BatchState& batch) {
   gl::update_buffer(batch.block, sizeof(Block), block.get());
   std::string glsl = gl::shader_part("viewport/passes/light_lookup.glsl",
                                      {{"GROUP_COUNT", std::to_string(flat.group_count)},
-                                      {"MAP_RESOLUTION", std::to_string(flat.layout.resolution)},
                                       {"MAP_COEFFICIENTS", std::to_string(flat.layout.coefficients)},
                                       {"MAP_WEIGHTING", std::to_string(flat.layout.weighting)}});
   if (!batch.glsl || *batch.glsl != glsl) batch.glsl = kept_text(std::move(glsl));
@@ -266,8 +273,8 @@ Frame GlRenderer::render_once(const SceneSnapshot& scene, const Passes& passes, 
       progress ? std::function<bool()>([&] { return progress(done); }) : std::function<bool()>();
   // Passes beyond the first march to the light where the quality asks for it.
   const bool exact = has_exact_passes(scene.quality.view, passes.most) && !scene.lights.empty();
-  const std::vector<FlatScene> batches = light_batches(whole);
-  const std::vector<FlatScene> exact_parts = exact ? exact_batches(whole) : std::vector<FlatScene>();
+  std::vector<FlatScene> batches = light_batches(whole);
+  std::vector<FlatScene> exact_parts = exact ? exact_batches(whole) : std::vector<FlatScene>();
   gpu_->batches.resize(batches.size());
   gpu_->exact_batches.resize(exact_parts.size());
   const int map_passes = exact_parts.empty() ? passes.most : 1;
@@ -279,13 +286,13 @@ Frame GlRenderer::render_once(const SceneSnapshot& scene, const Passes& passes, 
   stats_.map_ms = stats_.view_ms = stats_.map_cpu_ms = stats_.view_cpu_ms = 0.0;
   // One pass of some lights; `first` where it is the first in their sums.
   const FlatScene* in_blocks = nullptr;
-  const auto render_part = [&](const FlatScene& flat, BatchState& state, int pass, bool first) {
+  const auto render_part = [&](FlatScene& flat, BatchState& state, int pass, bool first) {
     if (in_blocks != &flat) gpu_->blocks.update(flat, textures);
     in_blocks = &flat;
     auto start = Clock::now();
     double cpu_start = processor_milliseconds();
     if (first && flat.view.light != LightLookup::march) {
-      build_maps(flat, state, go_on);
+      if (build_maps(flat, state, go_on)) gpu_->blocks.update(flat, textures);
       publish(flat, state);
       glFinish();
     }

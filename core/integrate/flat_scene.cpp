@@ -132,6 +132,7 @@ FlatScene flatten(const SceneSnapshot& scene) {
           map.layer = int(flat.maps.size());
           map.group = g;
           map.exponent = group_colours[g];
+          map.resolution = quality.resolution;
           flat.maps.push_back(map);
         }
     }
@@ -155,6 +156,7 @@ FlatScene flatten(const SceneSnapshot& scene) {
                view.light,
                view.march_step,
                view.march_depth};
+  flat.extinction_reuse = quality.extinction_reuse;
   flat.layout = {quality.resolution, quality.coefficients, quality.density_weighting};
   return flat;
 }

@@ -56,7 +56,7 @@ class MapRenderer final : public Renderer {
   const RenderStats& stats() const override { return stats_; }
 
  private:
-  void build_maps(const FlatScene& flat, BatchMaps& maps, const Progress& progress);
+  void build_maps(FlatScene& flat, BatchMaps& maps, const Progress& progress);
 
   std::vector<BatchMaps> batches_;
   std::vector<std::shared_ptr<const BrickVolume>>
@@ -64,7 +64,7 @@ class MapRenderer final : public Renderer {
   RenderStats stats_;
 };
 
-void MapRenderer::build_maps(const FlatScene& flat, BatchMaps& maps, const Progress& progress) {
+void MapRenderer::build_maps(FlatScene& flat, BatchMaps& maps, const Progress& progress) {
   const std::size_t size = std::size_t(flat.layout.resolution) * flat.layout.resolution *
                            words_per_texel(flat.layout.coefficients) * flat.maps.size();
   if (maps.texels.size() != size || maps.built.size() != flat.maps.size()) {
@@ -73,7 +73,11 @@ void MapRenderer::build_maps(const FlatScene& flat, BatchMaps& maps, const Progr
   }
   for (std::size_t i = 0; i < flat.maps.size(); ++i) {
     MapKey key = map_key(flat, int(i));
-    if (maps.built[i] && rebuild_reason(*maps.built[i], key).empty()) continue;
+    if (maps.built[i])
+      if (const auto power = map_power(*maps.built[i], key, flat.extinction_reuse)) {
+        flat.maps[i].exponent *= *power;
+        continue;
+      }
     maps.built[i].reset();
     build_map(flat, int(i), maps.texels, progress);
     maps.built[i] = std::move(key);
@@ -87,7 +91,7 @@ Frame MapRenderer::render(const SceneSnapshot& scene, const Passes& passes, cons
   if (whole.media.empty()) return empty_frame(scene);
   const auto start = Clock::now();
   const double cpu_start = processor_milliseconds();
-  const std::vector<FlatScene> batches = light_batches(whole);
+  std::vector<FlatScene> batches = light_batches(whole);
   batches_.resize(batches.size());
   stats_.map_bytes = stats_.volume_bytes = 0;
   for (const auto& volume : whole.volumes) stats_.volume_bytes += volume ? volume->bytes() : 0;

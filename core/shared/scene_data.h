@@ -75,7 +75,7 @@ struct MapData {
   vec4 row_u;
   vec4 row_v;
   vec4 row_k;
-  vec3 exponent;    // [-] sigma_t / sigma_group per channel, >= 1 or 0 [TFM11 eq. 14]
+  vec3 exponent;    // [-] sigma_t per channel / the extinction that the map was built for [TFM11 eq. 14]
   float k_max;      // [world] what a stored bound of one stands for
   vec3 ray_origin;  // [world] orthographic: of texel (0, 0)'s corner; perspective: the light
   int projection;
@@ -84,7 +84,7 @@ struct MapData {
   vec3 ray_v;
   int group;
   vec3 ray_k;
-  float pad0;
+  int resolution;  // texels along a side; the same for all maps of a march
 };
 
 #ifdef __cplusplus

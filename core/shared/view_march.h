@@ -118,7 +118,8 @@ PLN_FN vec3 light_transmittance(PLN_SCENE, int l, vec3 p, bool marched) {
     int map = LIGHT(l).first_map + g * LIGHT(l).faces + face;
     float t = marched ? exp(-march_light(scene, l, g, p)) : decode_map(scene, map, p);
     if (GREY_EXTINCTION)
-      product *= t;
+      // Of a map that was built for another extinction.
+      product *= marched || MAP(map).exponent.x == 1.0f ? t : pow(max(t, 1e-20f), MAP(map).exponent.x);
     else
       product *= pow(vec3(max(t, 1e-20f)), MAP(map).exponent);
   }

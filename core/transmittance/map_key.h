@@ -3,6 +3,7 @@
 // colour of a light are not among them.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,5 +30,13 @@ MapKey map_key(const FlatScene& scene, int map);
 /// Why a map built for `built` does not serve `wanted`; empty where it does. Extinction may differ by a share
 /// of 1e-4: rounding, as when albedo changes while their sum stays.
 std::string rebuild_reason(const MapKey& built, const MapKey& wanted);
+
+/// To what power [-] T of a map built for `built` is T of `wanted`: 1 where it serves as it is; none where it
+/// has to be built again. A map serves where all extinctions are so many times its own, at most `reuse` times
+/// and not much under once [TFM11 eq. 14].
+/// Biased: what the map left out behind its threshold stays out, which a power over 1 makes less of and one
+/// under 1 more, so that only little under 1 will do; the range of the series is not fitted to how light
+/// fades now.
+std::optional<float> map_power(const MapKey& built, const MapKey& wanted, float reuse);
 
 }  // namespace plinian

@@ -1,6 +1,6 @@
 // For shaders of somebody else's: how much of a light of the picture arrives at a place, by its maps. Goes behind their
 // version line, and declares but one block, one sampler and the names of core/shared.
-// Defines expected: GROUP_COUNT, MAP_RESOLUTION, MAP_COEFFICIENTS, MAP_WEIGHTING.
+// Defines expected: GROUP_COUNT, MAP_COEFFICIENTS, MAP_WEIGHTING.
 #include "core/shared/scene_data.h"
 
 layout(std140) uniform PlinianLights {
@@ -12,6 +12,7 @@ uniform usamplerBuffer plinian_map_texels;
 #define PLN_SCENE int scene
 #define LIGHT(l) plinian_light_data[l]
 #define MAP(i) plinian_map_data[i]
+#define MAP_RESOLUTION plinian_map_data[0].resolution
 #define FOR_GROUPS for (int g = 0; g < GROUP_COUNT; ++g)
 
 uvec4 map_texel(int scene, ivec2 texel, int layer, int word) {

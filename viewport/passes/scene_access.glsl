@@ -1,5 +1,5 @@
 // What core/shared/scene_access.h is in C++: the scene as uniform blocks and textures.
-// Defines expected: MEDIA_COUNT, LIGHT_COUNT, MAP_COUNT, GROUP_COUNT, MAP_RESOLUTION, MAP_COEFFICIENTS, MAP_WEIGHTING,
+// Defines expected: MEDIA_COUNT, LIGHT_COUNT, MAP_COUNT, GROUP_COUNT, MAP_COEFFICIENTS, MAP_WEIGHTING,
 // GREY_EXTINCTION, ANALYTIC_MEDIA, EMISSIVE_MEDIA, SEVERAL_MEDIA, DEEP_TREES, LIGHT_MARCH,
 // LIGHT_ERROR, LIGHT_MARCH_STEP, LIGHT_MARCH_DEPTH.
 #include "core/shared/blackbody_lookup.h"
@@ -41,6 +41,10 @@ MapData the_map = u_maps[0];
 #else
 #define MAP(i) u_maps[i]
 #endif
+
+// Not a define: quick maps are as large as the time allows, and a program for each size would take longer than they.
+int map_resolution = u_maps[0].resolution;
+#define MAP_RESOLUTION map_resolution
 
 // Loops over one thing are no loops: llvmpipe keeps what they index in memory instead of registers.
 #if MEDIA_COUNT == 1

@@ -52,7 +52,6 @@ void SceneBlocks::update(const FlatScene& scene, const std::vector<const VolumeT
               {"LIGHT_COUNT", std::to_string(scene.lights.size())},
               {"MAP_COUNT", std::to_string(scene.maps.size())},
               {"GROUP_COUNT", std::to_string(scene.group_count)},
-              {"MAP_RESOLUTION", std::to_string(scene.layout.resolution)},
               {"MAP_COEFFICIENTS", std::to_string(scene.layout.coefficients)},
               {"MAP_WEIGHTING", std::to_string(scene.layout.weighting)},
               {"GREY_EXTINCTION", flag(scene.grey)},
