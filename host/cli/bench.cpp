@@ -211,9 +211,10 @@ Run set_up_bench(CLI::App& app) {
       ->capture_default_str()
       ->needs(drags)
       ->group("Drags");
-  app.add_option("--rest-seconds", arguments->drag.rest_seconds, "that a picture is given to come to rest")
+  app.add_option("--rest-seconds", arguments->drag.rest_seconds,
+                 "that a picture is given to come to rest; 0: leave that and the reference out")
       ->type_name("SECONDS")
-      ->check(CLI::Range(0.1, 3600.0))
+      ->check(CLI::Range(0.0, 3600.0))
       ->capture_default_str()
       ->needs(drags)
       ->group("Drags");

@@ -139,7 +139,7 @@ class Measurement {
             options_.seconds, [&](double u) { return drag(scene_, u); }, keeper(), part(options_.seconds)));
         hand.rest(60.0, part(2.0));
       }
-      report["rest"] = rest(hand);
+      report["rest"] = options_.rest_seconds > 0.0 ? rest(hand) : ordered_json(nullptr);
       report["take_hold_ms"] = take_hold(hand);
     }
     std::size_t i = 0;

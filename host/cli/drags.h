@@ -16,7 +16,7 @@ struct DragOptions {
   std::string renderer = "gl";
   Quality rest;                // what the scene is let go in; its drags have the scene's own
   double seconds = 4.0;        // of each drag
-  double rest_seconds = 10.0;  // that a picture may take to come to rest
+  double rest_seconds = 10.0;  // that a picture may take to come to rest; 0: none is let go
   int samples = 20;            // quick pictures of each drag that are held against the picture at rest
   std::string folder;          // where those pictures go, as PNG; empty: nowhere
 };
@@ -30,7 +30,7 @@ struct DragOptions {
 ///    map_builds;
 ///  - "rest": psnr_after_s [dB] against the reference after 1, 2, 5 and 10 seconds (null: nothing yet),
 ///    at_rest_s (null: not within rest_seconds), passes, the pictures that came, and pop: ssim and psnr of
-///    the first of them against the last before letting go;
+///    the first of them against the last before letting go; null where no time is given to it;
 ///  - "take_hold_ms": median and worst time to the first picture of a drag that begins while a picture of the
 ///    quality `rest` is refined.
 /// Throws RenderCancelled where `progress` returns false, and what rendering throws.

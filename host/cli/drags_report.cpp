@@ -25,6 +25,22 @@ std::string drag_line(const std::string& name, const ordered_json& drag) {
                      drag["map_resolution"].get<int>());
 }
 
+std::string rest_lines(const ordered_json& rest) {
+  std::string text =
+      fmt::format("  let go in {} [dB against the reference]:", rest["preset"].get<std::string>());
+  for (const auto& [seconds, psnr] : rest["psnr_after_s"].items())
+    text += fmt::format("  {} s: {}", seconds, decibels(psnr));
+  text += rest["at_rest_s"].is_null()
+              ? std::string("; not yet at rest")
+              : fmt::format("; at rest after {:.1f} s", rest["at_rest_s"].get<double>());
+  text +=
+      rest["passes"].is_null() ? std::string("\n") : fmt::format(", {} passes\n", rest["passes"].get<int>());
+  if (!rest["pop"].is_null())
+    text += fmt::format("  the first picture then, against the last before: SSIM {:.3f}, {} dB\n",
+                        rest["pop"]["ssim"].get<double>(), decibels(rest["pop"]["psnr"]));
+  return text;
+}
+
 }  // namespace
 
 std::string drags_table(const ordered_json& report) {
@@ -37,18 +53,8 @@ std::string drags_table(const ordered_json& report) {
       "95%", "within 150 ms", "SSIM", "5%", "worst", "size", "maps");
   for (const auto& [name, drag] : report["drags"].items()) text += drag_line(name, drag);
 
-  const ordered_json& rest = report["rest"];
-  text += fmt::format("\n  let go in {} [dB against the reference]:", rest["preset"].get<std::string>());
-  for (const auto& [seconds, psnr] : rest["psnr_after_s"].items())
-    text += fmt::format("  {} s: {}", seconds, decibels(psnr));
-  text += rest["at_rest_s"].is_null()
-              ? std::string("; not yet at rest")
-              : fmt::format("; at rest after {:.1f} s", rest["at_rest_s"].get<double>());
-  text +=
-      rest["passes"].is_null() ? std::string("\n") : fmt::format(", {} passes\n", rest["passes"].get<int>());
-  if (!rest["pop"].is_null())
-    text += fmt::format("  the first picture then, against the last before: SSIM {:.3f}, {} dB\n",
-                        rest["pop"]["ssim"].get<double>(), decibels(rest["pop"]["psnr"]));
+  text += "\n";
+  if (!report["rest"].is_null()) text += rest_lines(report["rest"]);
   text += fmt::format("  taking hold while it is refined: {:.0f} ms to the first picture, {:.0f} at worst\n",
                       report["take_hold_ms"]["median"].get<double>(),
                       report["take_hold_ms"]["worst"].get<double>());

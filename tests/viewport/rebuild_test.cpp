@@ -1,4 +1,6 @@
 // What an edit costs, in counters.
+#include <cmath>
+
 #include "tests/viewport/scenes.h"
 #include "viewport/gl_renderer.h"
 
@@ -46,6 +48,31 @@ TEST_F(Edits, ExtinctionBuildsAllMapsAndOneLightsDirectionOnlyItsOwn) {
   renderer->render(scene, 1);
   EXPECT_EQ(renderer->stats().map_builds, builds + 1 + std::int64_t(scene.lights.size()));
   EXPECT_EQ(renderer->stats().volume_uploads, uploads);
+}
+
+// By the power law, and only where it is asked for; then the picture is near that of a map of its own, and
+// not that of the density before.
+TEST_F(Edits, AMapServesAnotherExtinctionWhereAQuickPictureAsksForIt) {
+  scene.media[0].density_scale *= 1.6f;
+  scene.quality.map.extinction_reuse = 2.0f;
+  const Frame reused = renderer->render(scene, 1);
+  EXPECT_EQ(renderer->stats().map_builds, builds);
+  scene.quality.map.extinction_reuse = 1.0f;
+  const Frame own = renderer->render(scene, 1);
+  EXPECT_EQ(renderer->stats().map_builds, builds + std::int64_t(scene.lights.size()));
+  EXPECT_EQ(largest_difference(own, make_gl_renderer()->render(scene, 1)), 0.0);
+  const auto rms = [](const Frame& a, const Frame& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.beauty.size(); ++i) {
+      const vec3 d = a.beauty[i] - b.beauty[i];
+      sum += double(dot(d, d));
+    }
+    return std::sqrt(sum / (3.0 * double(a.beauty.size())));
+  };
+  // Less than half the size costs a quick picture, 36 dB; the change itself is more.
+  constexpr double half_size = 0.0158;
+  EXPECT_LT(rms(reused, own), half_size);
+  EXPECT_GT(rms(before, own), 2.0 * half_size);
 }
 
 TEST_F(Edits, TheSamePictureComesBackToTheBitAfterAnEditIsTakenBack) {

@@ -6,6 +6,7 @@
 
 #include "core/integrate/flat_scene.h"
 #include "viewport/gl/shader.h"
+#include "viewport/passes/paced_tiles.h"
 #include "viewport/passes/scene_blocks.h"
 
 namespace plinian::passes {
@@ -18,7 +19,7 @@ class MapPass {
              const std::function<bool()>& go_on);
 
  private:
-  std::map<gl::Defines, gl::Program> programs_;
+  std::map<gl::Defines, PacedProgram> programs_;
   gl::Buffer controls_;
 };
 

@@ -2,8 +2,6 @@
 
 #include <epoxy/gl.h>
 
-#include <algorithm>
-
 namespace plinian::passes {
 namespace {
 
@@ -12,7 +10,6 @@ struct ViewBlock {
   ivec4 frame;
   ivec2 end;
 };
-constexpr int group_size = 16, tile_size = 256;
 
 }  // namespace
 
@@ -33,7 +30,8 @@ bool ViewPass::render(const SceneBlocks& blocks, const FlatScene& flat, const Sc
   defines.insert(defines.end(), {{"PLANE_AMBIENT", std::to_string(layout.ambient)},
                                  {"PLANE_EMISSION", std::to_string(layout.emission)},
                                  {"PLANE_LIGHTS", std::to_string(layout.first_light)}});
-  gl::Program& program = programs_[defines];
+  PacedProgram& paced = programs_[defines];
+  gl::Program& program = paced.program;
   if (!program) program = gl::make_compute_program("viewport/passes/view.comp", defines);
   const CameraRays rays = camera_rays(scene.camera, scene.width, scene.height);
   const ivec2 end = box.first + box.size;
@@ -50,16 +48,7 @@ bool ViewPass::render(const SceneBlocks& blocks, const FlatScene& flat, const Sc
   glBindBufferBase(GL_UNIFORM_BUFFER, 3, view_.name());
   glBindImageTexture(0, sums.name(), 0, GL_TRUE, 0, GL_READ_WRITE, GL_RGBA32F);
   glUseProgram(program.name());
-  for (int y = box.first.y; y < end.y; y += tile_size)
-    for (int x = box.first.x; x < end.x; x += tile_size) {
-      if (go_on && !go_on()) return false;
-      glProgramUniform2i(program.name(), 0, x, y);
-      // All rows of groups, as spread_group() in scene_access.glsl asks; those outside the box end at
-      // once.
-      const unsigned columns = unsigned(std::min(end.x - x, tile_size) + group_size - 1) / group_size;
-      glDispatchCompute(columns, tile_size / group_size, 1);
-      if (go_on) glFinish();
-    }
+  if (!run_tiles(paced, 0, box.first, end, go_on)) return false;
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
   return true;
 }

@@ -8,6 +8,7 @@
 #include "core/scene/pixel_box.h"
 #include "core/scene/snapshot.h"
 #include "viewport/gl/shader.h"
+#include "viewport/passes/paced_tiles.h"
 #include "viewport/passes/scene_blocks.h"
 
 namespace plinian::passes {
@@ -33,7 +34,7 @@ class ViewPass {
               const std::function<bool()>& go_on);
 
  private:
-  std::map<gl::Defines, gl::Program> programs_;
+  std::map<gl::Defines, PacedProgram> programs_;
   gl::Buffer view_;
 };
 

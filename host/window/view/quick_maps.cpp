@@ -2,7 +2,6 @@
 #include "host/window/view/quick_maps.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace plinian::window {
 
@@ -15,40 +14,40 @@ std::vector<MapKey> keys_of(const SceneSnapshot& scene) {
   return keys;
 }
 
+// How many of the wanted maps the held ones, map by map, do not serve.
+int missing(const std::vector<MapKey>& held, const std::vector<MapKey>& wanted, float reuse) {
+  if (held.size() != wanted.size()) return int(wanted.size());
+  int count = 0;
+  for (std::size_t i = 0; i < held.size(); ++i) count += !map_power(held[i], wanted[i], reuse);
+  return count;
+}
+
 }  // namespace
 
-bool QuickMaps::are_held(const SceneSnapshot& scene) const {
+std::optional<int> QuickMaps::serving(const SceneSnapshot& scene) const {
+  const float reuse = scene.quality.map.extinction_reuse;
   const std::vector<MapKey> wanted = keys_of(scene);
-  return std::equal(wanted.begin(), wanted.end(), held_.begin(), held_.end(),
-                    [](const MapKey& w, const MapKey& h) { return rebuild_reason(h, w).empty(); });
-}
-
-void QuickMaps::took(int resolution, double milliseconds) {
-  const double now = milliseconds / (double(resolution) * resolution);
-  ms_per_texel_ = ms_per_texel_ > 0.0 ? 0.6 * ms_per_texel_ + 0.4 * now : now;
-}
-
-int QuickMaps::resolution(const SceneSnapshot& scene) {
-  const int full = scene.quality.map.resolution;
-  if (are_held(scene)) return full;
+  if (missing(held_, wanted, reuse) == 0) return scene.quality.map.resolution;
+  const int held = held_scene_.quality.map.resolution;
+  if (held_.empty() || held >= scene.quality.map.resolution) return std::nullopt;
   SceneSnapshot other = scene;
-  other.quality.map.resolution = held_scene_.quality.map.resolution;
-  if (!held_.empty() && other.quality.map.resolution < full && are_held(other))
-    return other.quality.map.resolution;
-  if (ms_per_texel_ > 0.0) {
-    const double wanted = std::sqrt(wanted_ms_ / ms_per_texel_);
-    int best = 64;
-    for (const int step : {96, 128, 192, 256})
-      // Going up needs a margin that going down does not.
-      if (step <= wanted * (step > most_ ? 0.85 : 1.0)) best = step;
-    most_ = best;
-  }
-  return std::min(full, std::clamp(full / 2, 64, most_));
+  other.quality.map.resolution = held;
+  return missing(held_, keys_of(other), reuse) == 0 ? std::optional(held) : std::nullopt;
+}
+
+int QuickMaps::builds(const SceneSnapshot& scene) const {
+  SceneSnapshot other = scene;
+  // The frame of a light depends on it.
+  if (!held_.empty()) other.quality.map.resolution = held_scene_.quality.map.resolution;
+  return missing(held_, keys_of(other), scene.quality.map.extinction_reuse);
 }
 
 void QuickMaps::rendered(const SceneSnapshot& scene) {
+  std::vector<MapKey> now = keys_of(scene);
+  for (std::size_t i = 0; i < now.size() && now.size() == held_.size(); ++i)
+    if (map_power(held_[i], now[i], scene.quality.map.extinction_reuse)) now[i] = held_[i];
+  held_ = std::move(now);
   held_scene_ = scene;
-  held_ = keys_of(scene);
 }
 
 }  // namespace plinian::window

@@ -133,20 +133,25 @@ class ViewRenderer::Thread {
   // A quick picture is finished whatever comes: else a hand that never rests would see none.
   void render_quick(const ViewRequest& request) {
     SceneSnapshot scene = request.scene;
-    const ivec2 size = cost_.size({scene.width, scene.height});
+    // Biased: see map_power(). What is shown at rest builds its own.
+    scene.quality.map.extinction_reuse = 2.0f;
+    const ivec2 pane(scene.width, scene.height);
+    const std::optional<int> serving = quick_maps_.serving(scene);
+    const InteractiveCost::Choice choice =
+        cost_.choose(pane, scene.quality.map.resolution, serving ? 0 : quick_maps_.builds(scene));
+    scene.quality.map.resolution = serving.value_or(choice.resolution);
+    const ivec2 size = InteractiveCost::size(pane, choice.scale);
     scene.width = size.x;
     scene.height = size.y;
-    scene.quality.map.resolution = quick_maps_.resolution(request.scene);
     const std::int64_t builds = renderer_->stats().map_builds;
     const Clock::time_point begin = Clock::now();
     Frame frame = render(scene, Passes(1), [&](double share) {
       tell_share(share);
       return !is_stopping();
     });
-    cost_.took(size, milliseconds_since(begin) - renderer_->stats().map_ms - renderer_->stats().upload_ms);
-    // Maps that were there cost nothing, and say nothing.
-    if (renderer_->stats().map_builds > builds)
-      quick_maps_.took(scene.quality.map.resolution, renderer_->stats().map_ms);
+    const RenderStats& stats = renderer_->stats();
+    cost_.took_view(size, milliseconds_since(begin) - stats.map_ms - stats.upload_ms);
+    cost_.took_maps(scene.quality.map.resolution, int(stats.map_builds - builds), stats.map_ms);
     publish(request, std::move(frame), true, false, 1);
   }
 

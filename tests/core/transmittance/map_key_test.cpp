@@ -74,5 +74,31 @@ TEST(MapKey, MediaOfProportionalColoursShareAMapAndOthersDoNot) {
   EXPECT_EQ(flatten(s).maps.size(), 2u);
 }
 
+// T^r is the transmittance of r times the extinction, so long as nothing else differs.
+TEST(MapKey, AMapServesOtherExtinctionsByAPowerWithinWhatIsAllowed) {
+  const auto power = [](const SceneSnapshot& built, const SceneSnapshot& wanted, float reuse) {
+    return map_power(map_key(flatten(built), 0), map_key(flatten(wanted), 0), reuse);
+  };
+  SceneSnapshot s = scene();
+  EXPECT_EQ(power(scene(), s, 1.0f), 1.0f);
+  s.media[0].density_scale *= 1.5f;
+  EXPECT_FALSE(power(scene(), s, 1.0f));
+  EXPECT_FALSE(power(scene(), s, 1.4f));
+  ASSERT_TRUE(power(scene(), s, 2.0f));
+  EXPECT_NEAR(*power(scene(), s, 2.0f), 1.5f, 1e-5f);
+  ASSERT_TRUE(power(s, scene(), 2.0f));
+  EXPECT_NEAR(*power(s, scene(), 2.0f), 1.0f / 1.5f, 1e-5f);
+  s.lights[0].toward = glm::normalize(vec3(1, 2, 3.1f));
+  EXPECT_FALSE(power(scene(), s, 2.0f)) << "the light went elsewhere, too";
+
+  SceneSnapshot two = scene();
+  two.media.push_back(two.media[0]);
+  SceneSnapshot denser = two;
+  denser.media[0].density_scale *= 1.5f;
+  EXPECT_FALSE(power(two, denser, 2.0f)) << "one of two media alone";
+  denser.media[1].density_scale *= 1.5f;
+  EXPECT_TRUE(power(two, denser, 2.0f));
+}
+
 }  // namespace
 }  // namespace plinian
