@@ -11,8 +11,9 @@ namespace plinian::window {
 /// Learns from each picture what a pixel and a texel cost, and says how many of either the next one may have.
 class InteractiveCost {
  public:
+  InteractiveCost() = default;
   /// limit_ms: what a picture may take, maps and all.
-  explicit InteractiveCost(double limit_ms = 85.0) : limit_ms_(limit_ms) {}
+  explicit InteractiveCost(double limit_ms) : limit_ms_(limit_ms) {}
 
   struct Choice {
     double scale = 0.5;    // [-] of the pane's sides, at least a quarter
@@ -42,7 +43,7 @@ class InteractiveCost {
     std::size_t count_ = 0;
   };
 
-  double limit_ms_;
+  double limit_ms_ = 85.0;
   Recent ms_per_pixel_, ms_per_texel_;
   Choice last_;
   bool last_builds_ = false;
