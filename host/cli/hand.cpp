@@ -33,7 +33,7 @@ void Hand::ask(const SceneSnapshot& scene, bool new_picture, bool hand_on) {
     const std::lock_guard lock(mutex_);
     asked_at_.emplace(number_, Clock::now());
   }
-  renderer_.ask({scene, number_, hand_on});
+  renderer_.ask({.scene = scene, .number = number_, .hand_on = hand_on});
 }
 
 // On the renderer's thread.

@@ -32,7 +32,7 @@ struct ViewPicture {
   bool quick = false;        // smaller than asked for, and of one pass
   bool at_rest = false;      // no further pass follows
   int passes = 0;
-  bool is_played = false;  // shown again, without its layers: see PlayedFrames
+  bool is_played = false;       // shown again, without its layers: see PlayedFrames
   int map_resolution = 0;       // [texels] of its light maps
   std::int64_t map_builds = 0;  // maps that were built for it
   RenderStats stats;

@@ -1,7 +1,6 @@
 // Files that are dropped on the window by a file manager.
 #include <gtest/gtest.h>
 
-
 #include "tests/host/cli/program.h"
 #include "tests/host/window/sitting.h"
 
