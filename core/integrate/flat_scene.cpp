@@ -156,7 +156,7 @@ FlatScene flatten(const SceneSnapshot& scene) {
                view.light,
                view.march_step,
                view.march_depth};
-  flat.extinction_reuse = quality.extinction_reuse;
+  flat.extinction_reuse = scene.extinction_reuse;
   flat.layout = {quality.resolution, quality.coefficients, quality.density_weighting};
   return flat;
 }

@@ -33,7 +33,7 @@ struct FlatScene {
   bool emissive = false;
   bool varied_light = false;  // hazes or lamps: light varies along a ray where little opacity is gained
   shared::EncodeControls encode{};
-  float extinction_reuse = 1.0f;  // see MapQuality
+  float extinction_reuse = 1.0f;  // see SceneSnapshot
   MapLayout layout;
   FlatView view{};
 };

@@ -40,9 +40,6 @@ struct MapQuality {
   int resolution = 512;            // texels along a side of a light's view
   float detect_step = 2.0f;        // [voxels] between density samples in thin matter
   int refine_steps = 64;           // samples of the second march
-  // [-] >= 1: a map that is there serves up to so many times its extinction, see map_power(). No preset's and
-  // no part of what a picture shows: for quick pictures, while a hand is on.
-  float extinction_reuse = 1.0f;
 };
 
 struct ViewQuality {

@@ -54,10 +54,10 @@ TEST_F(Edits, ExtinctionBuildsAllMapsAndOneLightsDirectionOnlyItsOwn) {
 // not that of the density before.
 TEST_F(Edits, AMapServesAnotherExtinctionWhereAQuickPictureAsksForIt) {
   scene.media[0].density_scale *= 1.6f;
-  scene.quality.map.extinction_reuse = 2.0f;
+  scene.extinction_reuse = 2.0f;
   const Frame reused = renderer->render(scene, 1);
   EXPECT_EQ(renderer->stats().map_builds, builds);
-  scene.quality.map.extinction_reuse = 1.0f;
+  scene.extinction_reuse = 1.0f;
   const Frame own = renderer->render(scene, 1);
   EXPECT_EQ(renderer->stats().map_builds, builds + std::int64_t(scene.lights.size()));
   EXPECT_EQ(largest_difference(own, make_gl_renderer()->render(scene, 1)), 0.0);

@@ -25,7 +25,7 @@ int missing(const std::vector<MapKey>& held, const std::vector<MapKey>& wanted, 
 }  // namespace
 
 std::optional<int> QuickMaps::serving(const SceneSnapshot& scene) const {
-  const float reuse = scene.quality.map.extinction_reuse;
+  const float reuse = scene.extinction_reuse;
   const std::vector<MapKey> wanted = keys_of(scene);
   if (missing(held_, wanted, reuse) == 0) return scene.quality.map.resolution;
   const int held = held_scene_.quality.map.resolution;
@@ -39,13 +39,13 @@ int QuickMaps::builds(const SceneSnapshot& scene) const {
   SceneSnapshot other = scene;
   // The frame of a light depends on it.
   if (!held_.empty()) other.quality.map.resolution = held_scene_.quality.map.resolution;
-  return missing(held_, keys_of(other), scene.quality.map.extinction_reuse);
+  return missing(held_, keys_of(other), scene.extinction_reuse);
 }
 
 void QuickMaps::rendered(const SceneSnapshot& scene) {
   std::vector<MapKey> now = keys_of(scene);
   for (std::size_t i = 0; i < now.size() && now.size() == held_.size(); ++i)
-    if (map_power(held_[i], now[i], scene.quality.map.extinction_reuse)) now[i] = held_[i];
+    if (map_power(held_[i], now[i], scene.extinction_reuse)) now[i] = held_[i];
   held_ = std::move(now);
   held_scene_ = scene;
 }

@@ -134,7 +134,7 @@ class ViewRenderer::Thread {
   void render_quick(const ViewRequest& request) {
     SceneSnapshot scene = request.scene;
     // Biased: see map_power(). What is shown at rest builds its own.
-    scene.quality.map.extinction_reuse = 2.0f;
+    scene.extinction_reuse = 2.0f;
     const ivec2 pane(scene.width, scene.height);
     const std::optional<int> serving = quick_maps_.serving(scene);
     const InteractiveCost::Choice choice =

@@ -61,7 +61,7 @@ TEST_F(Crash, WhileBeingLoadedIsToldOfNextTimeAndNotTriedAgain) {
     const std::string path = std::string(PLINIAN_TEST_PLUGINS) + "/crash.so";
     Ended next = script("open a.plinian\nls -type crash\n");
     EXPECT_EQ(next.code, 0) << next.err;
-    EXPECT_EQ(next.err.find("warning: " + path +
+    EXPECT_EQ(next.err.find("warning: a.pln:1: " + path +
                             ": did not come back when it was loaded last, and is skipped; 'loadPlugin " +
                             path + "' tries it again\n"),
               0u)

@@ -54,7 +54,7 @@ TEST(AttributeTypes, TheReadmeNamesTheFieldsInTheOrderInWhichTheyAreDeclared) {
   const std::string body =
       std::regex_replace(header.substr(at, header.find("};", at) - at), std::regex("//[^\n]*"), "");
   std::vector<std::string> declared, named;
-  const std::regex field("(\\w+)(?: = [^,;]+)?[,;]"), quoted("`(\\w+)`");
+  const std::regex field("(\\w+)(?: = [^,;]+|\\{\\})?[,;]"), quoted("`(\\w+)`");
   for (std::sregex_iterator match(body.begin(), body.end(), field), none; match != none; ++match)
     declared.push_back((*match)[1]);
   const std::size_t fields = readme.find("Fields of an attribute"), end = readme.find("C++ takes", fields);

@@ -142,7 +142,7 @@ TEST(QuickMaps, ServeOtherExtinctionsByThePowerLawWhereThatIsAskedFor) {
   SceneSnapshot dense = scene;
   dense.media[0].density_scale *= 1.5f;
   EXPECT_FALSE(maps.serving(dense));
-  dense.quality.map.extinction_reuse = 2.0f;
+  dense.extinction_reuse = 2.0f;
   EXPECT_EQ(maps.serving(dense), 512);
   maps.rendered(dense);
   dense.media[0].density_scale *= 1.3f;
