@@ -66,6 +66,7 @@ sdk::AttributeSpec attribute_of(const ParameterSpec& parameter, AttributeTouch t
   spec.soft_minimum = touch.soft_minimum;
   spec.soft_maximum = touch.soft_maximum;
   spec.step = touch.step;
+  spec.widget = touch.widget;
   for (const std::string& choice : parameter.choices)
     spec.choices += (spec.choices.empty() ? "" : ",") + choice;
   const bool counts = parameter.type != ParameterType::boolean && parameter.type != ParameterType::choice &&

@@ -13,6 +13,7 @@ struct AttributeTouch {
   std::string nice_name, help, group, affects, shown_when;  // help: empty: the parameter's
   std::optional<double> soft_minimum, soft_maximum;
   double step = 0.0;
+  std::string widget;
 };
 
 /// Lengths become distances, angles angles, three numbers that may be grey a colour. An open end of a range

@@ -39,8 +39,11 @@ void add_medium(sdk::Plugin& plugin) {
     touch.affects = "out";
     return type.add(attribute_of(parameters, name, std::move(touch)));
   };
-  const Attribute density_scale =
-      add("density_scale", {.default_value = "1", .help = "Factor on density.", .soft_maximum = 20});
+  const Attribute density_scale = add("density_scale", {.default_value = "1",
+                                                        .help = "Factor on density.",
+                                                        .soft_minimum = 0.01,
+                                                        .soft_maximum = 1000,
+                                                        .widget = "factor"});
   const Attribute coefficients = type.add(
       {.name = "coefficients",
        .type = "enum",
@@ -92,7 +95,8 @@ void add_medium(sdk::Plugin& plugin) {
                                                   : "What that look said then, as a number.",
               .group = "Look",
               .hidden = name == std::string("look_hash"),
-              .keyable = false});
+              .keyable = false,
+              .widget = name == std::string("look") ? "look" : ""});
   const Attribute out = type.add({.name = "out",
                                   .type = "data",
                                   .help = "For the shape that draws the volume.",

@@ -169,7 +169,7 @@ void Interface::take_input() {
     studio_.trace.note(typing ? "keys to a field" : "keys to the window");
   }
   studio_.light_key_held = window_.is_held('L');
-  for (const std::string& path : window_.take_dropped()) studio_.files.open(path);
+  for (const std::string& path : window_.take_dropped()) studio_.files.add(path);
   if (window_.take_close_request() || std::exchange(studio_.wants_quit, false))
     studio_.files.unless_unsaved([this] { studio_.quit = true; });
 }

@@ -92,13 +92,17 @@ void Session::new_scene() {
     // A program without node types has an empty scene.
     if (const NodeTypePtr time = types_.find("time")) editor_.create_node(time);
   }
+  make_untitled();
+  evaluator_.set_time(1.0);
+  tell(SceneMoment::after_new);
+}
+
+void Session::make_untitled() {
   history_.clear();
   history_.mark_saved();
   scene_path_.clear();
   read_only_ = false;
   evaluator_.set_folder(scene_folder().string());
-  evaluator_.set_time(1.0);
-  tell(SceneMoment::after_new);
 }
 
 void Session::open_scene(const std::string& path) {

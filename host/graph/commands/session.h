@@ -65,6 +65,8 @@ class Session {
 
   /// An empty scene but for a time node; the old one cannot be had back.
   void new_scene();
+  /// What is there is a new scene from now on: of no file, with nothing to undo and nothing unsaved.
+  void make_untitled();
   /// Throws GraphError and leaves the scene as it is where the file cannot be read.
   void open_scene(const std::string& path);
   /// Opens what was kept of a scene that was not saved: as the scene of `scene_path`, which may be empty,

@@ -15,11 +15,48 @@ double power_of_ten_under(double value) {
   return std::pow(10.0, std::floor(std::log10(value)));
 }
 
+bool has_slider(const NumberRange& range) {
+  return range.soft_minimum && range.soft_maximum && *range.soft_maximum > *range.soft_minimum;
+}
+
+bool is_inside(const NumberRange& range, double value) {
+  return has_slider(range) && value >= *range.soft_minimum && value <= *range.soft_maximum;
+}
+
+double rounded_to(double value, double grain) {
+  value = std::round(value / grain) * grain;
+  if (grain >= 1.0) return value;
+  const double inverse = std::round(1.0 / grain);
+  return std::round(value * inverse) / inverse;
+}
+
+double within(const NumberRange& range, double value, bool inside) {
+  if (inside) value = std::clamp(value, *range.soft_minimum, *range.soft_maximum);
+  if (range.minimum) value = std::max(value, *range.minimum);
+  if (range.maximum) value = std::min(value, *range.maximum);
+  return value;
+}
+
+// Zero is no factor of anything: from there the drag begins at the least there is.
+double dragged_factor(const NumberRange& range, double start, double points, DragPace pace) {
+  constexpr double per_doubling = 75.0;  // [points]
+  if (pace == DragPace::fine) points *= 0.1;
+  if (pace == DragPace::coarse) points *= 10.0;
+  if (start <= 0.0) start = range.soft_minimum.value_or(0.01);
+  const double value = start * std::exp2(points / per_doubling);
+  const double digits = pace == DragPace::fine ? 1e-3 : 1e-2;
+  return within(range, rounded_to(value, power_of_ten_under(value) * digits), is_inside(range, start));
+}
+
 }  // namespace
 
 NumberRange range_of(const graph::AttributeSpec& spec) {
-  NumberRange range{spec.minimum, spec.maximum, spec.soft_minimum, spec.soft_maximum,
-                    spec.type == graph::AttributeType::integer};
+  NumberRange range{spec.minimum,
+                    spec.maximum,
+                    spec.soft_minimum,
+                    spec.soft_maximum,
+                    spec.type == graph::AttributeType::integer,
+                    spec.layout.widget == "factor"};
   // A range that is closed on both sides is its own slider.
   if (!range.soft_minimum && (range.soft_maximum || range.maximum)) range.soft_minimum = range.minimum;
   if (!range.soft_maximum && range.soft_minimum) range.soft_maximum = range.maximum;
@@ -27,26 +64,26 @@ NumberRange range_of(const graph::AttributeSpec& spec) {
 }
 
 double dragged(const NumberRange& range, double start, double points, DragPace pace) {
-  const bool slider = range.soft_minimum && range.soft_maximum && *range.soft_maximum > *range.soft_minimum;
+  if (range.factor) return dragged_factor(range, start, points, pace);
+  const bool slider = has_slider(range), inside = is_inside(range, start);
   double per_point =
       slider ? (*range.soft_maximum - *range.soft_minimum) / 300.0 : std::max(std::abs(start), 1.0) / 100.0;
-  const bool inside = slider && start >= *range.soft_minimum && start <= *range.soft_maximum;
   if (slider && !inside) per_point = std::max(per_point, std::abs(start) / 100.0);
   if (range.whole) per_point = std::max(per_point, 0.1);
   if (pace == DragPace::fine) per_point *= 0.1;
   if (pace == DragPace::coarse) per_point *= 10.0;
-  double value = start + points * per_point;
   // As round as the pace allows, so that what is read off is what was set.
-  const double grain = range.whole ? 1.0 : power_of_ten_under(per_point);
-  value = std::round(value / grain) * grain;
-  if (grain < 1.0) {
-    const double inverse = std::round(1.0 / grain);
-    value = std::round(value * inverse) / inverse;
-  }
-  if (inside) value = std::clamp(value, *range.soft_minimum, *range.soft_maximum);
-  if (range.minimum) value = std::max(value, *range.minimum);
-  if (range.maximum) value = std::min(value, *range.maximum);
-  return value;
+  return within(range,
+                rounded_to(start + points * per_point, range.whole ? 1.0 : power_of_ten_under(per_point)),
+                inside);
+}
+
+std::optional<float> share_of(const NumberRange& range, double value) {
+  if (!has_slider(range)) return std::nullopt;
+  const bool factor = range.factor && *range.soft_minimum > 0.0;
+  const auto along = [&](double v) { return factor ? std::log(std::max(v, *range.soft_minimum)) : v; };
+  const double low = along(*range.soft_minimum), high = along(*range.soft_maximum);
+  return float(std::clamp((along(value) - low) / (high - low), 0.0, 1.0));
 }
 
 std::string shown_number(double value, int digits) {

@@ -31,6 +31,10 @@ bool is_scene(const std::string& path) {
   return path.ends_with(".plinian");
 }
 
+bool is_volume(const std::string& path) {
+  return path.ends_with(".vdb");
+}
+
 bool is_picture(const std::string& path) {
   std::string extension = fs::path(path).extension().string();
   for (char& c : extension) c = char(std::tolower((unsigned char)c));
@@ -76,16 +80,21 @@ bool SceneFiles::import_whole(const std::string& input) {
   return done;
 }
 
+// What one tunes first is there to be tuned.
+void SceneFiles::select_medium() {
+  if (const graph::Node* medium = scene::first_of_type(session().graph(), "medium"))
+    session().editor().select({medium->id});
+}
+
 void SceneFiles::begin_with(const std::string& input) {
   commands_.later([=, this] {
+    is_sample_ = false;
     if (is_scene(input)) {
       if (commands_.run_now("open " + graph::quote(input))) recent.add(input);
       return;
     }
-    import_whole(input);
-    // What one tunes first is there to be tuned.
-    if (const graph::Node* medium = scene::first_of_type(session().graph(), "medium"))
-      session().editor().select({medium->id});
+    is_sample_ = import_whole(input) && !fs::path(input).has_extension();
+    select_medium();
     // What one begins with is no edit.
     session().history().clear();
     session().history().mark_saved();
@@ -100,12 +109,33 @@ void SceneFiles::begin_empty() {
 }
 
 void SceneFiles::open(const std::string& path) {
-  if (!is_scene(path)) return add(path);
+  if (!is_scene(path) && !is_volume(path)) return add(path);
   unless_unsaved([=, this] {
-    viewpoint_.look = {};
     viewpoint_.history.clear();
+    if (is_volume(path)) {
+      if (replace_by(path)) session().make_untitled();
+      return;
+    }
+    viewpoint_.look = {};
     if (commands_.run_now("open -force " + graph::quote(path))) recent.add(path);
   });
+}
+
+// All that is there gives way, and comes back with one undo. A file that cannot be read changes nothing.
+bool SceneFiles::replace_by(const std::string& path) {
+  graph::History::Scope scope(session().history(), "import " + path);
+  std::vector<graph::NodeId> nodes;
+  for (const graph::Node* node : session().graph().nodes()) nodes.push_back(node->id);
+  session().editor().delete_nodes(nodes);
+  session().time_node();
+  if (!import_whole(path)) {
+    scope.roll_back();
+    return false;
+  }
+  viewpoint_.look = {};
+  is_sample_ = false;
+  select_medium();
+  return true;
 }
 
 void SceneFiles::save_as(const std::string& path) {
@@ -123,6 +153,11 @@ void SceneFiles::add(const std::string& path) {
     if (bare) {
       viewpoint_.look = {};
       import_whole(path);
+      return;
+    }
+    // Nobody asked for the sample that the program began with.
+    if (is_volume(path) && is_sample_ && !session().history().is_modified()) {
+      replace_by(path);
       return;
     }
     commands_.job = {"reading " + fs::path(path).filename().string()};

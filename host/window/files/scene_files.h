@@ -20,10 +20,12 @@ class SceneFiles {
   SceneFiles(scene::Workspace& workspace, CommandQueue& commands, Viewpoint& viewpoint, ConsoleLog& console,
              Trace& trace);
 
-  /// Asks about unsaved changes where there are any.
+  /// A scene or a volume in place of what is open; asks about unsaved changes where there are any. Else as
+  /// add().
   void open(const std::string& path);
   void save_as(const std::string& path);
-  /// Adds a volume or a scene; a scene without media is framed and lit. A picture becomes the reference.
+  /// Adds a volume; where there was none it is framed and lit, and it takes the place of a sample that the
+  /// program began with. A scene is opened, a picture becomes the reference.
   void add(const std::string& path);
   /// What the program begins with: a scene, a volume or the name of a procedural medium.
   void begin_with(const std::string& input);
@@ -52,6 +54,8 @@ class SceneFiles {
  private:
   void keep_unsaved();
   bool import_whole(const std::string& input);
+  bool replace_by(const std::string& path);
+  void select_medium();
   graph::Session& session() { return workspace_.session(); }
 
   scene::Workspace& workspace_;
@@ -62,6 +66,7 @@ class SceneFiles {
   Autosave autosave_;
   std::chrono::steady_clock::time_point autosaved_ = std::chrono::steady_clock::now();
   std::uint64_t autosaved_generation_ = 0;
+  bool is_sample_ = false;  // a procedural medium was begun with
 };
 
 }  // namespace plinian::window

@@ -7,13 +7,23 @@ namespace plinian::window {
 
 namespace {
 
+// What is kept of a picture to be found again: itself, whatever it is compared with just now.
+DevelopedPtr seen_alone(Studio& studio, const ViewPicturePtr& picture) {
+  if (studio.development.seen == Seen::picture) return studio.developer.developed();
+  Development how = studio.development;
+  how.seen = Seen::picture;
+  how.against = nullptr;
+  how.against_file = nullptr;
+  return develop(picture, how);
+}
+
 void keep_picture(Studio& studio) {
   const ViewPicturePtr picture = studio.renderer.picture();
   if (!picture || picture->quick) {
     studio.console.add(LineKind::note, "only a picture that is past its quick pass can be kept");
     return;
   }
-  for (const std::string& name : studio.snapshots.keep(picture, studio.developer.developed()))
+  for (const std::string& name : studio.snapshots.keep(picture, seen_alone(studio, picture)))
     studio.console.add(LineKind::note, name + " was let go: snapshots hold all the memory that they may");
   // What one is measuring against stays; a click on the snapshot compares with it.
   const OtherKind kind = studio.comparison.kind;

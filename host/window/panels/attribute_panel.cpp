@@ -7,6 +7,7 @@
 
 #include "host/graph/graph_error.h"
 #include "host/graph/model/conversion.h"
+#include "host/scene/looks.h"
 #include "host/window/fields/arithmetic.h"
 #include "host/window/fields/edit_lines.h"
 #include "host/window/platform/theme.h"
@@ -187,6 +188,17 @@ void AttributePanel::show_value(Studio& studio, const AttributeRow& row, float w
     }
   } else if (!row.parts.empty()) {
     show_numbers(studio, row, width);
+  } else if (spec.layout.widget == "look") {
+    const std::string now = std::get<std::string>(graph.find(row.plug.node)->value(row.plug.attribute));
+    ImGui::BeginDisabled(!enabled);
+    ImGui::SetNextItemWidth(width);
+    if (ImGui::BeginCombo("##value", now.empty() ? "none" : now.c_str())) {
+      for (const std::string& look : scene::look_names())
+        if (ImGui::Selectable(look.c_str(), look == now))
+          studio.run("preset apply " + graph::quote(look) + " " + graph.find(row.plug.node)->name);
+      ImGui::EndCombo();
+    }
+    ImGui::EndDisabled();
   } else {
     const bool text = spec.type == AttributeType::string || spec.type == AttributeType::path;
     const graph::Value& value = graph.find(row.plug.node)->value(row.plug.attribute);

@@ -147,6 +147,9 @@ std::vector<std::string> comparison_lines(const Studio& studio, const DevelopedP
     if (shown->flip) figures += fmt::format("   FLIP {:.4f}", *shown->flip);
     if (comparison.mode() == CompareMode::difference) figures = "4 x difference   " + figures;
     lines.push_back(figures);
+    // What to turn when a picture is to be met: light where all are off, colours where one is.
+    if (const auto& b = shown->balance)
+      lines.push_back(fmt::format("brightness of its   R {:.2f}   G {:.2f}   B {:.2f}", b->x, b->y, b->z));
     if (!shown->matched.empty()) lines.push_back("matched before: " + shown->matched);
   }
   return lines;

@@ -74,22 +74,26 @@ void ConsolePanel::show(Studio& studio, const PaneRect& pane) {
   ImGui::NewLine();
   ImGui::PushFont(fonts().fixed);
   const float line = ImGui::GetFrameHeightWithSpacing();
-  ImGui::BeginChild("##lines", {0.0f, -line}, false, ImGuiWindowFlags_HorizontalScrollbar);
+  ImGui::BeginChild("##lines", {0.0f, -line});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0f, scaled(2)));
   const bool at_end = ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - 2.0f;
   ImGuiListClipper clipper;
   const auto& lines = studio.console.lines();
-  clipper.Begin(int(lines.size()));
+  const int columns = int(ImGui::GetContentRegionAvail().x / ImGui::CalcTextSize("M").x);
+  if (columns != columns_ || studio.console.changes() != wrapped_) {
+    rows_ = wrapped_rows(lines, columns);
+    columns_ = columns;
+    wrapped_ = studio.console.changes();
+  }
+  clipper.Begin(int(rows_.size()));
   while (clipper.Step())
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-      const ConsoleLine& entry = lines[std::size_t(i)];
-      const std::string text =
-          entry.repeats > 1 ? entry.text + "  (" + std::to_string(entry.repeats) + " times)" : entry.text;
-      ImGui::PushStyleColor(ImGuiCol_Text, colour_of(entry.kind));
-      ImGui::TextUnformatted(text.c_str());
+      const WrappedRow& row = rows_[std::size_t(i)];
+      ImGui::PushStyleColor(ImGuiCol_Text, colour_of(row.kind));
+      ImGui::TextUnformatted(row.text.c_str());
       ImGui::PopStyleColor();
       if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0))
-        ImGui::SetClipboardText(entry.text.c_str());
+        ImGui::SetClipboardText(lines[row.line].text.c_str());
     }
   if (studio.console.changes() != shown_ && (at_end || shown_ == 0)) ImGui::SetScrollHereY(1.0f);
   shown_ = studio.console.changes();

@@ -104,6 +104,7 @@ void show_recovery(Studio& studio) {
 void show_hotkey_list(Studio& studio) {
   if (!studio.show_hotkeys) return;
   at_the_middle();
+  ImGui::SetNextWindowBgAlpha(1.0f);
   ImGui::SetNextWindowSizeConstraints({scaled(430), 0.0f},
                                       {scaled(600), ImGui::GetMainViewport()->Size.y * 0.9f});
   if (ImGui::Begin("Hotkeys", &studio.show_hotkeys, plain | ImGuiWindowFlags_NoCollapse)) {

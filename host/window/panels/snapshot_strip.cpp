@@ -17,14 +17,21 @@ float label_width(const Snapshot& snapshot) {
   return ImGui::CalcTextSize(snapshot.name.c_str()).x + scaled(6);
 }
 
+constexpr float height_of_pictures = 54.0f;  // [points]
+
 }  // namespace
+
+float snapshot_strip_height(const Studio& studio) {
+  if (!studio.show_snapshots || studio.snapshots.all().empty()) return 0.0f;
+  return scaled(height_of_pictures) + ImGui::GetTextLineHeight() + scaled(14);
+}
 
 void SnapshotStrip::show(Studio& studio, const PaneRect& pane) {
   const auto& all = studio.snapshots.all();
   std::erase_if(textures_, [&](const auto& entry) { return !studio.snapshots.find(entry.first); });
-  if (!studio.show_snapshots || all.empty()) return;
-  const float height = scaled(54), label = ImGui::GetTextLineHeight();
-  const float strip = height + label + scaled(14);
+  const float strip = snapshot_strip_height(studio);
+  if (strip == 0.0f) return;
+  const float height = scaled(height_of_pictures), label = ImGui::GetTextLineHeight();
   // Over the line that reads out the pixel.
   const float bottom = pane.begin.y + pane.size.y - label - scaled(14);
   ImGui::SetNextWindowPos({pane.begin.x + scaled(8), bottom - strip});

@@ -10,6 +10,9 @@
 
 namespace plinian::window {
 
+/// Over the line that reads out the pixel [points]; 0 where none is shown.
+float snapshot_strip_height(const Studio& studio);
+
 class SnapshotStrip {
  public:
   /// pane: of the viewport. A click compares with a snapshot, a menu offers the rest.

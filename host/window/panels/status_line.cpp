@@ -21,9 +21,10 @@ void show_status(Studio& studio, const PaneRect& pane) {
   if (picture) {
     const std::string text = fmt::format(
         "{}   {} x {}   {}", picture->scene.quality.name, picture->frame.width, picture->frame.height,
-        picture->quick     ? "quick"
-        : picture->at_rest ? fmt::format("at rest, {} passes", picture->passes)
-                           : fmt::format("pass {}", picture->passes));
+        picture->quick ? "quick"
+        : picture->at_rest
+            ? fmt::format("at rest, {} passes", picture->passes)
+            : fmt::format("pass {} of {} at most", picture->passes, picture->scene.quality.view.passes));
     const float width = ImGui::CalcTextSize(text.c_str()).x;
     right -= width + scaled(30);
     ImGui::SetCursorPosX(pane.size.x - width - scaled(10));

@@ -236,7 +236,7 @@ struct Control {
 
 // Those that there are now. Their widths do not depend on what they say, so that nothing jumps.
 std::vector<Control> controls_of(Studio& studio) {
-  const float wide = scaled(14), near = scaled(6), close = scaled(2);
+  const float wide = scaled(10), near = scaled(6), close = scaled(2);
   const float quality = button_width("fast") + close + button_width("high");
   const float exposure = scaled(92) + close + button_width("0");
   std::vector<Control> controls = {{{width_of_tools(studio), 0.0f}, show_tools},

@@ -120,7 +120,7 @@ void show_pixel(const DevelopedPtr& shown, const PaneRect& picture, const PaneRe
                   std::isfinite(depth) ? fmt::format("   z {:.4g} m", depth) : "");
   ImGui::PushFont(fonts().fixed);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  draw_text(pane.begin + vec2(scaled(10), pane.size.y - size.y - scaled(8)), colour::faint_text, text);
+  draw_text(pane.begin + vec2(scaled(10), pane.size.y - size.y - scaled(8)), colour::text, text);
   ImGui::PopFont();
 }
 

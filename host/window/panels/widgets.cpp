@@ -44,14 +44,6 @@ DragPace pace_now() {
   return io.KeyCtrl ? DragPace::fine : io.KeyShift ? DragPace::coarse : DragPace::usual;
 }
 
-// How far the value is along its slider, for the bar behind the number.
-std::optional<float> share_of(const NumberRange& range, double value) {
-  if (!range.soft_minimum || !range.soft_maximum || *range.soft_maximum <= *range.soft_minimum)
-    return std::nullopt;
-  return float(
-      std::clamp((value - *range.soft_minimum) / (*range.soft_maximum - *range.soft_minimum), 0.0, 1.0));
-}
-
 void draw_field(ImVec2 begin, ImVec2 end, double value, const NumberRange& range, const FieldLook& look,
                 bool hot) {
   ImDrawList* list = ImGui::GetWindowDrawList();

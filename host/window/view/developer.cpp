@@ -108,6 +108,18 @@ ViewPicturePtr matched_picture(const ViewPicture& picture, const Development& ho
   return other;
 }
 
+// Of what both pictures show, where the reference has a medium if it says where.
+std::optional<vec3> balance_of(const PicturePair& pair) {
+  dvec3 sum(0.0), reference(0.0);
+  for (std::size_t i = 0; i < pair.a.size(); ++i)
+    if (pair.valid[i] && (pair.mask.empty() || pair.mask[i])) {
+      sum += dvec3(pair.a[i]);
+      reference += dvec3(pair.reference[i]);
+    }
+  if (!(reference.x > 0.0 && reference.y > 0.0 && reference.z > 0.0)) return std::nullopt;
+  return vec3(sum / reference);
+}
+
 void measure(Developed& developed, const Image& image, const ViewPicture& picture, const Development& how) {
   developed.other = how.against_file ? matched_picture(picture, how, developed.matched) : how.against;
   const Image reference = visible_layers(developed.other->frame, how);
@@ -115,6 +127,7 @@ void measure(Developed& developed, const Image& image, const ViewPicture& pictur
   const PixelMetrics metrics = pixel_metrics(pair);
   developed.psnr = metrics.psnr;
   developed.ssim = ssim(pair, metrics.peak);
+  developed.balance = balance_of(pair);
   if (how.seen == Seen::difference) developed.bytes = difference_bytes(image, reference);
   if (how.seen == Seen::flip) {
     const FlipResult seen =
@@ -147,6 +160,29 @@ void develop_map_error(Developed& developed, const Frame& frame, const Developme
   developed.map_error = std::move(error);
 }
 
+}  // namespace
+
+std::string words_of(const Development& how) {
+  std::string words =
+      fmt::format("{} {} {} {} {} {} {}", how.solo_ambient, int(how.view.view), how.view.exposure,
+                  how.view.ocio_config, how.view.ocio_display, how.view.ocio_view, how.layer);
+  words += fmt::format(" {} {} {} {} {}", static_cast<const void*>(how.against.get()),
+                       static_cast<const void*>(how.against_file.get()), how.matches, int(how.seen),
+                       static_cast<const void*>(how.plate.get()));
+  for (const std::string& light : how.solo) words += " " + light;
+  return words;
+}
+
+Image visible_layers(const Frame& frame, const Development& how) {
+  const std::vector<vec3> seen = layer_of(frame, how);
+  Image image = make_image(frame.width, frame.height);
+  for (int c = 0; c < 3; ++c) {
+    std::vector<float>& values = image.channels[std::size_t(c)].values;
+    for (std::size_t i = 0; i < seen.size() && i < values.size(); ++i) values[i] = seen[i][c];
+  }
+  return image;
+}
+
 DevelopedPtr develop(const ViewPicturePtr& picture, const Development& how) {
   auto developed = std::make_shared<Developed>();
   developed->picture = picture;
@@ -173,29 +209,6 @@ DevelopedPtr develop(const ViewPicturePtr& picture, const Development& how) {
       how.against->frame.height == developed->height)
     measure(*developed, image, *picture, how);
   return developed;
-}
-
-}  // namespace
-
-std::string words_of(const Development& how) {
-  std::string words =
-      fmt::format("{} {} {} {} {} {} {}", how.solo_ambient, int(how.view.view), how.view.exposure,
-                  how.view.ocio_config, how.view.ocio_display, how.view.ocio_view, how.layer);
-  words += fmt::format(" {} {} {} {} {}", static_cast<const void*>(how.against.get()),
-                       static_cast<const void*>(how.against_file.get()), how.matches, int(how.seen),
-                       static_cast<const void*>(how.plate.get()));
-  for (const std::string& light : how.solo) words += " " + light;
-  return words;
-}
-
-Image visible_layers(const Frame& frame, const Development& how) {
-  const std::vector<vec3> seen = layer_of(frame, how);
-  Image image = make_image(frame.width, frame.height);
-  for (int c = 0; c < 3; ++c) {
-    std::vector<float>& values = image.channels[std::size_t(c)].values;
-    for (std::size_t i = 0; i < seen.size() && i < values.size(); ++i) values[i] = seen[i][c];
-  }
-  return image;
 }
 
 Developer::Developer(std::function<void()> wake) : wake_(std::move(wake)), thread_([this] { run(); }) {}

@@ -55,6 +55,7 @@ struct Developed {
   std::optional<double> psnr;         // [dB] of linear radiance against the other picture, see metrics.h
   std::optional<double> ssim;         // [-] likewise
   std::optional<double> flip;         // [-] mean, where it is what is seen
+  std::optional<vec3> balance;        // [-] how bright each channel is, as a share of the other picture's
   std::optional<MapError> map_error;  // likewise
   ViewPicturePtr other;               // that it was measured against, as it was matched; null: it was not
   std::string matched;                // what was done to the other for that; empty: nothing
@@ -65,6 +66,9 @@ using DevelopedPtr = std::shared_ptr<const Developed>;
 /// What one sees of a frame, as a picture with R, G and B, without a plate. [radiance, or a share for alpha
 /// and depth]
 Image visible_layers(const Frame& frame, const Development& how);
+
+/// The picture, looked at so; null where it is light and an error is asked for, or the other way round.
+DevelopedPtr develop(const ViewPicturePtr& picture, const Development& how);
 
 class Developer {
  public:

@@ -60,6 +60,33 @@ TEST(NumberDrag, WithoutARangeGoesByTheValueItself) {
   EXPECT_NEAR(dragged({}, 0.0, -100.0, DragPace::usual), -1.0, 1e-9);
 }
 
+// Of a density, twice as much is as far from once as once from half, however dense it is.
+TEST(NumberDrag, MultipliesAFactor) {
+  NumberRange factor = slider(0.01, 1000.0);
+  factor.factor = true;
+  for (const double start : {0.05, 1.0, 31.0}) {
+    EXPECT_NEAR(dragged(factor, start, 75.0, DragPace::usual), 2.0 * start, 1e-9) << start;
+    EXPECT_NEAR(dragged(factor, start, -150.0, DragPace::usual), 0.25 * start, 0.01 * start) << start;
+    EXPECT_NEAR(dragged(factor, start, 750.0, DragPace::fine), 2.0 * start, 1e-9) << start;
+  }
+  EXPECT_EQ(shown_number(dragged(factor, 12.3456789, 10.0, DragPace::usual)), "13.5") << "round";
+  EXPECT_EQ(dragged(factor, 10.0, 1e6, DragPace::usual), 1000.0);
+  EXPECT_NEAR(dragged(factor, 2000.0, 75.0, DragPace::usual), 4000.0, 1e-9) << "it began outside";
+  EXPECT_NEAR(dragged(factor, 0.0, 75.0, DragPace::usual), 0.02, 1e-9) << "nothing times two is nothing";
+  factor.maximum = 20.0;
+  EXPECT_EQ(dragged(factor, 15.0, 75.0, DragPace::usual), 20.0);
+}
+
+TEST(NumberDrag, ShowsHowFarAFactorIsByItsPowers) {
+  NumberRange factor = slider(0.01, 100.0);
+  EXPECT_NEAR(*share_of(factor, 50.005), 0.5, 1e-6);
+  factor.factor = true;
+  EXPECT_NEAR(*share_of(factor, 1.0), 0.5, 1e-6);
+  EXPECT_EQ(*share_of(factor, 0.0), 0.0f);
+  EXPECT_EQ(*share_of(factor, 1e6), 1.0f);
+  EXPECT_FALSE(share_of({}, 1.0));
+}
+
 TEST(NumberDrag, LandsOnRoundNumbers) {
   EXPECT_EQ(shown_number(dragged(slider(0.0, 1.0), 0.123456789, 100.0, DragPace::usual)), "0.457");
   NumberRange whole;

@@ -11,6 +11,7 @@
 #include "host/scene/workspace.h"
 #include "host/window/console/completion.h"
 #include "host/window/console/console_log.h"
+#include "host/window/console/wrapped_rows.h"
 #include "host/window/fields/attribute_rows.h"
 #include "host/window/fields/edit_lines.h"
 #include "host/window/files/file_list.h"
@@ -104,6 +105,28 @@ TEST(EditLines, ADragIsOneStep) {
   EXPECT_EQ(session.history().undo_names().size(), before + 1);
   session.execute("undo");
   EXPECT_EQ(number_at(session.graph(), session.graph().plug("b.exposure")), 0.0);
+}
+
+std::vector<std::string> wrapped(const std::vector<std::string>& lines, int columns) {
+  ConsoleLog log;
+  for (const std::string& line : lines) log.add(LineKind::note, line);
+  std::vector<std::string> rows;
+  for (const WrappedRow& row : wrapped_rows(log.lines(), columns)) rows.push_back(row.text);
+  return rows;
+}
+
+TEST(WrappedRows, LoseNothingOfALineThatIsLongerThanThePane) {
+  EXPECT_EQ(wrapped({"short", ""}, 20), (std::vector<std::string>{"short", ""}));
+  EXPECT_EQ(wrapped({"setAttr medium.albedo 0.5 0.4"}, 15),
+            (std::vector<std::string>{"setAttr", "  medium.albedo", "  0.5 0.4"}))
+      << "a word that fits is whole";
+  EXPECT_EQ(wrapped({"abcdefghijklmnop"}, 8), (std::vector<std::string>{"abcdefgh", "  ijklmn", "  op"}))
+      << "one that does not is cut";
+  EXPECT_EQ(wrapped({"two\nlines"}, 20), (std::vector<std::string>{"two", "  lines"}));
+  EXPECT_EQ(wrapped({"\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4"}, 8),
+            (std::vector<std::string>{"\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4", "  \u00e4"}))
+      << "letters are not bytes";
+  EXPECT_EQ(wrapped({"again", "again"}, 8), (std::vector<std::string>{"again", "  (2", "  times)"}));
 }
 
 TEST(ConsoleLog, FoldsADragAndCountsRepeats) {
