@@ -74,9 +74,32 @@ View default_view() {
   return config && *config ? View::ocio : View::filmic;
 }
 
+std::vector<OcioView> ocio_views() {
+  std::vector<OcioView> views;
+  const char* path = std::getenv("OCIO");
+  if (!path || !*path) return views;
+  try {
+    const OCIO::ConstConfigRcPtr config = OCIO::Config::CreateFromFile(path);
+    const auto add = [&](const std::string& display, const std::string& view) {
+      for (const OcioView& known : views)
+        if (known.display == display && known.view == view) return;
+      views.push_back({display, view});
+    };
+    add(config->getDefaultDisplay(), config->getDefaultView(config->getDefaultDisplay()));
+    for (int d = 0; d < config->getNumDisplays(); ++d)
+      for (int v = 0; v < config->getNumViews(config->getDisplay(d)); ++v)
+        add(config->getDisplay(d), config->getView(config->getDisplay(d), v));
+  } catch (const OCIO::Exception&) {
+    views.clear();  // whoever asks for a view hears why
+  }
+  return views;
+}
+
 ViewTransform::ViewTransform(const ViewSettings& settings) : settings_(settings) {
   if (!std::isfinite(settings_.exposure))
     throw ImageError("view: the exposure is not a finite number of stops");
+  if (!(settings_.gamma > 0.0f && std::isfinite(settings_.gamma)))
+    throw ImageError("view: the gamma is not a number over 0");
   if (settings_.view != View::ocio) return;
   std::string path = settings_.ocio_config;
   if (path.empty()) {
@@ -119,15 +142,17 @@ void ViewTransform::apply(float* rgb, std::size_t count) const {
     OCIO::PackedImageDesc pixels(rgb, long(count), 1, 3);
     ocio_->processor->apply(pixels);
     for (std::size_t i = 0; i < 3 * count; ++i) rgb[i] = std::fmin(std::fmax(rgb[i], 0.0f), 1.0f);
-    return;
+  } else {
+    for (std::size_t i = 0; i < count; ++i) {
+      float* p = rgb + 3 * i;
+      const vec3 radiance(p[0], p[1], p[2]);
+      const vec3 shown =
+          settings_.view == View::srgb ? shared::srgb_view(radiance) : shared::filmic_view(radiance);
+      for (int c = 0; c < 3; ++c) p[c] = shown[c];
+    }
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    float* p = rgb + 3 * i;
-    const vec3 radiance(p[0], p[1], p[2]);
-    const vec3 shown =
-        settings_.view == View::srgb ? shared::srgb_view(radiance) : shared::filmic_view(radiance);
-    for (int c = 0; c < 3; ++c) p[c] = shown[c];
-  }
+  if (settings_.gamma != 1.0f)
+    for (std::size_t i = 0; i < 3 * count; ++i) rgb[i] = std::pow(rgb[i], 1.0f / settings_.gamma);
 }
 
 vec3 ViewTransform::operator()(vec3 radiance) const {
@@ -145,6 +170,11 @@ std::string ViewTransform::description() const {
     std::snprintf(stops, sizeof stops, ", %+g stop%s", settings_.exposure,
                   std::abs(settings_.exposure) == 1.0f ? "" : "s");
     name += stops;
+  }
+  if (settings_.gamma != 1.0f) {
+    char gamma[32];
+    std::snprintf(gamma, sizeof gamma, ", gamma %g", settings_.gamma);
+    name += gamma;
   }
   return name;
 }

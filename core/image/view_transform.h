@@ -1,5 +1,5 @@
 // How a picture's linear radiance is turned into what a display shows: exposure, then sRGB, the filmic curve
-// or an OpenColorIO view.
+// or an OpenColorIO view, then gamma.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,14 @@ struct ViewSettings {
   std::string ocio_config;   // path of a configuration; empty: the one that $OCIO names
   std::string ocio_display;  // empty: the configuration's default
   std::string ocio_view;     // empty: that display's default
+  float gamma = 1.0f;        // [-] > 0: what would be shown is raised to 1 / gamma
 };
+
+struct OcioView {
+  std::string display, view;
+};
+/// Of the configuration that $OCIO names, its default first; none where there is none or it cannot be read.
+std::vector<OcioView> ocio_views();
 
 /// "srgb", "filmic", "ocio" or "ocio:DISPLAY/VIEW". Throws ImageError that lists them.
 ViewSettings parse_view(const std::string& text);

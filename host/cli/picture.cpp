@@ -74,6 +74,7 @@ WriteOptions write_options(const RenderArguments& arguments) {
   else
     options.view = parse_view(arguments.view);
   options.view.exposure = arguments.exposure;
+  options.view.gamma = arguments.gamma;
   return options;
 }
 
@@ -134,6 +135,7 @@ std::string job_hash(const SceneSnapshot& snapshot, const std::string& renderer,
     hash.add(std::string_view(text));
   hash.add(double(arguments.passes));
   hash.add(double(arguments.exposure));
+  hash.add(double(arguments.gamma));
   hash.add(arguments.tolerance);
   const graph::Hash result = hash.result();
   return fmt::format("{:016x}{:016x}", result.high, result.low);

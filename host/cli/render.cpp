@@ -127,6 +127,7 @@ Run set_up_render(CLI::App& app) {
       ->check(CLI::Range(1e-7, 0.5))
       ->group("Quality");
   app.add_option("--exposure", arguments->exposure, "of a PNG")->type_name("STOPS")->group("Picture");
+  app.add_option("--gamma", arguments->gamma, "of a PNG, after the view")->group("Picture");
   app.add_option("--view", arguments->view, "of a PNG: srgb, filmic, ocio or ocio:DISPLAY/VIEW")
       ->type_name("VIEW")
       ->group("Picture");

@@ -17,6 +17,7 @@ struct RenderArguments {
   std::string renderer = "auto";
   int passes = 0;  // jittered passes; 0: until the picture rests, as the preset says
   float exposure = 0.0f;
+  float gamma = 1.0f;
   std::string view;
   std::string pixels = "half", compression = "zip";
   double tolerance = 0.0;

@@ -96,6 +96,12 @@ void Studio::update_picture() {
   comparison.update();
 }
 
+const std::vector<OcioView>& Studio::ocio_views() {
+  if (reading_ocio_.valid() && reading_ocio_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
+    ocio_views_ = reading_ocio_.get();
+  return ocio_views_;
+}
+
 ViewPicturePtr Studio::picture() const {
   const ViewPicturePtr rendered = renderer.picture();
   const bool stands_in = played_before_ && (!rendered || rendered->number != number_ ||

@@ -6,8 +6,10 @@
 
 #include <chrono>
 #include <functional>
+#include <future>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "host/scene/workspace.h"
 #include "host/window/commands/command_queue.h"
@@ -51,6 +53,8 @@ class Studio {
   // How it is looked at.
   Viewpoint viewpoint;
   Development development;
+  /// Of the configuration that $OCIO names; none before it has been read.
+  const std::vector<OcioView>& ocio_views();
   OverlayChoice overlay;
   ToolChoice tools;
   bool original_maps = false;
@@ -116,6 +120,9 @@ class Studio {
   ViewPicturePtr played_before_;          // of what was asked for; null: there is none
   ViewPicturePtr kept_;                   // that was looked at last for what is played
   std::chrono::steady_clock::time_point hand_on_until_{};
+  // A configuration may be large.
+  std::future<std::vector<OcioView>> reading_ocio_ = std::async(std::launch::async, plinian::ocio_views);
+  std::vector<OcioView> ocio_views_;
 };
 
 }  // namespace plinian::window

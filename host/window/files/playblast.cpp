@@ -108,7 +108,7 @@ void Playblast::begin() {
   run({program_.empty() ? fs::read_symlink("/proc/self/exe").string() : program_, "render", scene_.string(),
        "--frames", fmt::format("{}-{}", settings_.first, settings_.last), "-o", output, "--preset",
        settings_.quality, "--view", view_words(settings_.view), "--exposure",
-       fmt::format("{}", settings_.view.exposure)});
+       fmt::format("{}", settings_.view.exposure), "--gamma", fmt::format("{}", settings_.view.gamma)});
 }
 
 // Beside the frames, and from there to its place: nobody finds half a film.

@@ -175,17 +175,63 @@ void show_exposure(Studio& studio) {
   help("The exposure is off its default; click to put it back.");
 }
 
-void show_view_transform(Studio& studio) {
-  Development& how = studio.development;
-  static const char* const views[] = {"sRGB", "filmic", "OCIO"};
-  ImGui::SetNextItemWidth(scaled(76));
-  if (ImGui::BeginCombo("##view", views[int(how.view.view)])) {
-    for (int i = 0; i < 3; ++i)
-      if (ImGui::Selectable(views[i], int(how.view.view) == i)) how.view.view = View(i);
-    ImGui::EndCombo();
+std::string name_of(const ViewSettings& view) {
+  if (view.view == View::srgb) return "sRGB";
+  if (view.view == View::filmic) return "filmic";
+  return view.ocio_view.empty() ? "OCIO" : view.ocio_view;
+}
+
+void show_ocio_views(Studio& studio) {
+  ViewSettings& view = studio.development.view;
+  const std::vector<OcioView>& views = studio.ocio_views();
+  for (const OcioView& known : views) {
+    const bool on =
+        view.view == View::ocio && view.ocio_display == known.display && view.ocio_view == known.view;
+    if (ImGui::Selectable((known.display + " / " + known.view).c_str(), on)) {
+      view.view = View::ocio;
+      view.ocio_display = known.display;
+      view.ocio_view = known.view;
+    }
   }
+  if (views.empty()) ImGui::TextDisabled("$OCIO names no configuration");
+}
+
+void show_gamma(Studio& studio) {
+  float& gamma = studio.development.view.gamma;
+  FieldLook look;
+  look.width = scaled(100);
+  look.prefix = "gamma";
+  look.changed = gamma != 1.0f;
+  NumberRange range{0.01, 100.0, 0.2, 5.0, false, true};
+  const FieldEdit edit = number_field("##gamma", gamma, range, look);
+  note_item(studio.trace, "gamma");
+  help("After the view transform. No part of the scene.");
+  if (edit.dragged) gamma = float(*edit.dragged);
+  if (edit.typed)
+    if (const auto typed = typed_number(*edit.typed, gamma))
+      gamma = float(std::clamp(*typed, *range.minimum, *range.maximum));
+}
+
+void show_view_transform(Studio& studio) {
+  ViewSettings& view = studio.development.view;
+  ImGui::SetNextItemWidth(scaled(76));
+  const bool changed = view.gamma != 1.0f;
+  if (changed) ImGui::PushStyleColor(ImGuiCol_Text, colour::changed);
+  const bool open = ImGui::BeginCombo("##view", name_of(view).c_str(), ImGuiComboFlags_HeightLarge);
+  if (changed) ImGui::PopStyleColor();
   note_item(studio.trace, "view transform");
-  help("How linear radiance is turned into what the display shows.");
+  if (!open) {
+    help("How linear radiance is turned into what the display shows: " + name_of(view) +
+         (changed ? ", gamma " + shown_number(view.gamma) : "") + ".");
+    return;
+  }
+  for (const View kind : {View::srgb, View::filmic})
+    if (ImGui::Selectable(name_of(ViewSettings{.view = kind}).c_str(), view.view == kind)) view.view = kind;
+  ImGui::Separator();
+  show_ocio_views(studio);
+  ImGui::Separator();
+  show_gamma(studio);
+  ImGui::EndCombo();
 }
 
 void show_layer(Studio& studio) {

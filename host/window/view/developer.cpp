@@ -108,11 +108,12 @@ ViewPicturePtr matched_picture(const ViewPicture& picture, const Development& ho
   return other;
 }
 
-// Of what both pictures show, where the reference has a medium if it says where.
-std::optional<vec3> balance_of(const PicturePair& pair) {
+// Where the picture has a medium; the sky is as bright as it is.
+std::optional<vec3> balance_of(const PicturePair& pair, const Frame& frame) {
+  constexpr float least_alpha = 0.01f;
   dvec3 sum(0.0), reference(0.0);
   for (std::size_t i = 0; i < pair.a.size(); ++i)
-    if (pair.valid[i] && (pair.mask.empty() || pair.mask[i])) {
+    if (pair.valid[i] && alpha_of(frame.transmittance[i]) > least_alpha) {
       sum += dvec3(pair.a[i]);
       reference += dvec3(pair.reference[i]);
     }
@@ -127,7 +128,7 @@ void measure(Developed& developed, const Image& image, const ViewPicture& pictur
   const PixelMetrics metrics = pixel_metrics(pair);
   developed.psnr = metrics.psnr;
   developed.ssim = ssim(pair, metrics.peak);
-  developed.balance = balance_of(pair);
+  developed.balance = balance_of(pair, picture.frame);
   if (how.seen == Seen::difference) developed.bytes = difference_bytes(image, reference);
   if (how.seen == Seen::flip) {
     const FlipResult seen =
@@ -164,8 +165,8 @@ void develop_map_error(Developed& developed, const Frame& frame, const Developme
 
 std::string words_of(const Development& how) {
   std::string words =
-      fmt::format("{} {} {} {} {} {} {}", how.solo_ambient, int(how.view.view), how.view.exposure,
-                  how.view.ocio_config, how.view.ocio_display, how.view.ocio_view, how.layer);
+      fmt::format("{} {} {} {} {} {} {} {}", how.solo_ambient, int(how.view.view), how.view.exposure,
+                  how.view.gamma, how.view.ocio_config, how.view.ocio_display, how.view.ocio_view, how.layer);
   words += fmt::format(" {} {} {} {} {}", static_cast<const void*>(how.against.get()),
                        static_cast<const void*>(how.against_file.get()), how.matches, int(how.seen),
                        static_cast<const void*>(how.plate.get()));
@@ -202,8 +203,8 @@ DevelopedPtr develop(const ViewPicturePtr& picture, const Development& how) {
     developed->bytes = to_display_bytes(seen, ViewTransform(how.view));
   } catch (const ImageError& error) {
     developed->error = error.what();
-    developed->bytes =
-        to_display_bytes(seen, ViewTransform({.view = View::srgb, .exposure = how.view.exposure}));
+    developed->bytes = to_display_bytes(
+        seen, ViewTransform({.view = View::srgb, .exposure = how.view.exposure, .gamma = how.view.gamma}));
   }
   if (how.against && !picture->quick && how.against->frame.width == developed->width &&
       how.against->frame.height == developed->height)

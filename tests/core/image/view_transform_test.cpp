@@ -46,6 +46,19 @@ TEST(ViewTransform, AStopOfExposureDoublesTheRadiance) {
   EXPECT_EQ(view(View::filmic, -2.0f)(vec3(0.8f, 0.4f, 0.1f)), view(View::filmic)(vec3(0.2f, 0.1f, 0.025f)));
 }
 
+TEST(ViewTransform, GammaIsAPowerOfWhatWouldBeShown) {
+  ViewSettings settings{.view = View::srgb, .gamma = 2.0f};
+  const vec3 shown = ViewTransform(settings)(vec3(0.0f, 0.2f, 3.0f));
+  EXPECT_EQ(shown.r, 0.0f);
+  EXPECT_NEAR(shown.g, std::sqrt(view(View::srgb)(vec3(0.2f)).g), 1e-6f);
+  EXPECT_EQ(shown.b, 1.0f);
+  EXPECT_EQ(ViewTransform(settings).description(), "sRGB, gamma 2");
+  for (const float bad : {0.0f, -1.0f, nan, infinity}) {
+    settings.gamma = bad;
+    EXPECT_THROW(ViewTransform{settings}, ImageError) << bad;
+  }
+}
+
 TEST(ViewTransform, FilmicKeepsMiddleGreyAndEndsInBlackAndWhite) {
   EXPECT_NEAR(shared::filmic_curve(0.18f), shared::srgb_from_linear(0.18f), 2e-5f);
   EXPECT_EQ(shared::filmic_curve(0.0f), 0.0f);
@@ -161,6 +174,9 @@ TEST(ViewTransform, AnOpenColorIoViewIsApplied) {
   EXPECT_EQ(default_view(), View::ocio);
   const ViewTransform transform = view(View::ocio, 1.0f);
   EXPECT_EQ(transform.description(), "Screen / Half, +1 stop");
+  std::string views;
+  for (const OcioView& known : ocio_views()) views += known.display + "/" + known.view + " ";
+  EXPECT_EQ(views, "Screen/Half Screen/Raw Projector/Raw ") << "to choose from, the default first";
   const vec3 shown = transform(vec3(0.4f, 0.4f, 0.4f));
   EXPECT_NEAR(shown.r, 0.4f, 1e-6f);
   EXPECT_NEAR(shown.g, 0.2f, 1e-6f);
@@ -176,6 +192,7 @@ TEST(ViewTransform, OpenColorIoErrorsNameTheFileAndWhatThereIs) {
   settings.view = View::ocio;
   EXPECT_NE(message_of<ImageError>([&] { ViewTransform{settings}; }).find("set $OCIO"), std::string::npos);
   EXPECT_EQ(default_view(), View::filmic);
+  EXPECT_TRUE(ocio_views().empty());
   settings.ocio_config = folder / "config.ocio";
   settings.ocio_display = "Laser";
   EXPECT_NE(message_of<ImageError>([&] { ViewTransform{settings}; }).find("it has Screen, Projector"),

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/host/window/sitting.h"
+#include "tests/host/window/steps.h"
 
 namespace plinian {
 
@@ -40,14 +40,7 @@ class DrawingSitting : public testing::Test {
     sitting_->wait_for(" still", sitting_->wait_for("ran " + line, before));
   }
   /// Waits for the picture of what was asked for to be at rest on the screen.
-  void wait_for_rest(std::size_t since) {
-    sitting_->wait_for(" still", sitting_->wait_for(
-                                     [](const std::string& line) {
-                                       return line.find(" picture ") != line.npos &&
-                                              line.find(" rest ") != line.npos;
-                                     },
-                                     since));
-  }
+  void wait_for_rest(std::size_t since) { plinian::wait_for_rest(*sitting_, since); }
 
   TemporaryFolder files_;
   std::unique_ptr<Sitting> sitting_;

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/host/cli/program.h"
-#include "tests/host/window/sitting.h"
+#include "tests/host/window/steps.h"
 
 namespace plinian {
 namespace {
@@ -24,15 +24,6 @@ class DropSitting : public testing::Test {
     const Ended ended = plinian_program(arguments, {.folder = folder_.path().string()});
     ASSERT_EQ(ended.code, 0) << ended.err;
   }
-  static std::size_t wait_for_rest(Sitting& sitting, std::size_t since) {
-    const std::size_t rest = sitting.wait_for(
-        [](const std::string& line) {
-          return line.find(" picture ") != line.npos && line.find(" rest ") != line.npos &&
-                 line.find("passes 0") == line.npos;
-        },
-        since);
-    return sitting.wait_for(" still", rest);
-  }
   // Pixels of the picture that are brighter than its background could be.
   static int bright_pixels(Sitting& sitting) {
     const Pixels seen = sitting.pixels(sitting.item("picture"));
@@ -48,7 +39,7 @@ TEST_F(DropSitting, VolumesAndPicturesAreTakenAlsoSeveralAtOnceAndWhatNothingKno
   sitting.wait_for(" still");
   std::size_t before = sitting.now();
   sitting.drop({folder_.path() / "a puff, 50%.vdb"}, sitting.middle("picture"));
-  wait_for_rest(sitting, before);
+  wait_for_rest(sitting, sitting, before);
   sitting.keep("drop-volume.png");
   const ivec4 picture = sitting.item("picture");
   EXPECT_GT(bright_pixels(sitting), picture.z * picture.w / 100) << "lit, and large in the picture";
@@ -82,7 +73,7 @@ TEST_F(DropSitting, ASceneIsOpened) {
   const std::size_t before = sitting.now();
   sitting.drop({folder_.path() / "shot.plinian"}, sitting.middle("picture"));
   sitting.wait_for("open -force", before);
-  wait_for_rest(sitting, before);
+  wait_for_rest(sitting, sitting, before);
   sitting.keep("drop-scene.png");
   EXPECT_GT(bright_pixels(sitting), 100);
 }

@@ -2,11 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
-#include "tests/host/window/sitting.h"
+#include "tests/host/window/steps.h"
 
 namespace plinian {
 namespace {
@@ -25,33 +23,19 @@ class HandlesSitting : public testing::Test {
     sitting_ = std::make_unique<Sitting>(std::vector<std::string>{files_.write("ball.json", scene)}, size);
     wait_for_rest(0);
   }
-  void wait_for_rest(std::size_t since) {
-    sitting_->wait_for(" still", sitting_->wait_for(
-                                     [](const std::string& line) {
-                                       return line.find(" picture ") != line.npos &&
-                                              line.find(" rest ") != line.npos &&
-                                              line.find("passes 0") == line.npos;
-                                     },
-                                     since));
-  }
+  void wait_for_rest(std::size_t since) { plinian::wait_for_rest(*sitting_, since); }
   void command(const std::string& line) {
-    sitting_->click(sitting_->middle("command line"));
-    sitting_->wait_for_keys("keys to a field");
     const std::size_t before = sitting_->now();
-    sitting_->type(line);
-    sitting_->stroke("Return");
+    plinian::command(*sitting_, line);
     // With what was typed done, the field lets go of the keys and takes them again.
     sitting_->wait_for("keys to a field",
                        sitting_->wait_for("ran " + line.substr(0, line.find(' ')), before));
-    sitting_->click({700, size.y - 6});  // out of the command line, into the status line
-    sitting_->move({702, size.y - 6});   // the window looks again
-    sitting_->wait_for_keys("keys to the window");
+    leave_fields(*sitting_, {700, size.y - 6});  // into the status line
   }
   /// The scene as it would be saved.
   std::string saved() {
     command("save now.plinian");
-    std::ifstream file(sitting_->folder() / "now.plinian");
-    return {std::istreambuf_iterator<char>(file), {}};
+    return text_of(sitting_->folder() / "now.plinian");
   }
   /// A number that is not at its default; none where it is.
   static std::optional<double> number(const std::string& scene, const std::string& node,

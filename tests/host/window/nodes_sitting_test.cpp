@@ -1,10 +1,7 @@
 // The node editor by hand: connects, takes back, takes off.
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
-
-#include "tests/host/window/sitting.h"
+#include "tests/host/window/steps.h"
 
 namespace plinian {
 namespace {
@@ -34,8 +31,7 @@ class NodesSitting : public testing::Test {
   }
   std::string saved(const std::string& name) {
     expect_command("save " + name, [&] { type("save " + name); });
-    std::ifstream file(sitting_->folder() / name);
-    return {std::istreambuf_iterator<char>(file), {}};
+    return text_of(sitting_->folder() / name);
   }
   void keep(const std::string& name) {
     sitting_->wait_for(" still", sitting_->now() - 1);

@@ -1,49 +1,18 @@
 // The window as somebody who sits before it finds it.
-#include "tests/host/window/sitting.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 #include "core/files/atomic_file.h"
 #include "core/image/image_io.h"
 #include "tests/host/cli/program.h"
+#include "tests/host/window/steps.h"
 
 namespace plinian {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-// Of 8-bit values, as a share of their range. [dB]
-double psnr(const Pixels& a, const std::vector<std::uint8_t>& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.rgb.size(); ++i) {
-    const double d = (double(a.rgb[i]) - double(b[i])) / 255.0;
-    sum += d * d;
-  }
-  return sum > 0.0 ? 10.0 * std::log10(double(a.rgb.size()) / sum) : INFINITY;
-}
-
-// A picture at rest that is on the screen, with nothing left to be drawn: the number of its line.
-std::size_t wait_for_rest(Sitting& sitting, std::size_t since) {
-  const std::size_t rest = sitting.wait_for(
-      [](const std::string& line) {
-        return line.find(" picture ") != line.npos && line.find(" rest ") != line.npos &&
-               line.find("passes 0") == line.npos;
-      },
-      since);
-  sitting.wait_for(" still", rest);
-  return rest;
-}
 
 // What a picture's line says.
 struct Shown {
@@ -59,15 +28,6 @@ Shown shown_in(const std::string& line) {
   words >> word >> word >> shown.number >> shown.width >> x >> shown.height >> word >> word >> word >>
       shown.ms;
   return shown;
-}
-
-void command(Sitting& sitting, const std::string& line) {
-  sitting.click(sitting.middle("command line"));
-  sitting.wait_for_keys("keys to a field");
-  const std::size_t before = sitting.now();
-  sitting.type(line);
-  sitting.stroke("Return");
-  sitting.wait_for("ran " + line.substr(0, line.find(' ')), before);
 }
 
 TEST(Window, WithoutADisplaySaysInOneLineWhatToDoInstead) {
@@ -191,12 +151,6 @@ TEST_F(WindowSitting, AnswersWhileItRenders) {
   if (last.ms > 1000.0) {
     EXPECT_LT(longest, last.ms) << "it waited for a picture";
   }
-}
-
-// [dB] of a picture's line.
-double psnr_in(const std::string& line) {
-  const std::size_t at = line.find("psnr ");
-  return at == line.npos ? -1.0 : std::strtod(line.c_str() + at + 5, nullptr);
 }
 
 // A light's brightness is a matter of layers: the picture stays at rest while it is dragged.

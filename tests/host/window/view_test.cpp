@@ -272,6 +272,33 @@ TEST(Development, OfTheErrorOfMapsIsOfTheWorstLightWhereSomethingIsSeen) {
   EXPECT_EQ(seen->picture, light);
 }
 
+// A medium on the left half, the sky on the right.
+std::shared_ptr<ViewPicture> half_seen(vec3 medium) {
+  auto picture = std::make_shared<ViewPicture>();
+  Frame& frame = picture->frame;
+  frame.width = frame.height = 16;
+  for (int i = 0; i < 256; ++i) {
+    const bool sky = i % 16 >= 8;
+    frame.beauty.push_back(sky ? vec3(5.0f) : medium * (1.0f + 0.01f * float(i)));
+    frame.transmittance.push_back(vec3(sky ? 1.0f : 0.0f));
+    frame.depth.push_back(sky ? INFINITY : 1.0f);
+  }
+  frame.ambient = frame.emission = frame.background = std::vector<vec3>(256, vec3(0.0f));
+  return picture;
+}
+
+TEST(Development, TellsHowBrightEachChannelOfTheMediumIsAgainstAnotherPicture) {
+  Development how;
+  how.against = half_seen(vec3(0.2f, 0.2f, 0.1f));
+  const DevelopedPtr seen = develop(half_seen(vec3(0.4f, 0.1f, 0.1f)), how);
+  ASSERT_TRUE(seen->balance);
+  EXPECT_NEAR(seen->balance->x, 2.0f, 1e-4f);
+  EXPECT_NEAR(seen->balance->y, 0.5f, 1e-4f);
+  EXPECT_NEAR(seen->balance->z, 1.0f, 1e-4f);
+  how.against = half_seen(vec3(0.2f, 0.0f, 0.1f));
+  EXPECT_FALSE(develop(half_seen(vec3(0.4f)), how)->balance) << "there is no green to be a share of";
+}
+
 TEST(Development, ShowsLightsAloneLayersAndAlpha) {
   Frame frame;
   frame.width = 2;
