@@ -21,7 +21,7 @@ struct WindowOptions {
   std::function<void(const std::string& line)> on_no_end;
 };
 
-/// Opens the window and returns when it is closed. Throws NoDisplay (main_window.h) where there is none.
+/// Opens the window and returns when it is closed. Throws NoDisplay (platform/desktop.h) where there is none.
 void run_window(const WindowOptions& options);
 
 /// Whether the environment names a display.

@@ -95,6 +95,7 @@ void ConsolePanel::show(Studio& studio, const PaneRect& pane) {
       if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0))
         ImGui::SetClipboardText(lines[row.line].text.c_str());
     }
+  ImGui::Dummy({0.0f, scaled(1)});  // for what hangs under the last line
   if (studio.console.changes() != shown_ && (at_end || shown_ == 0)) ImGui::SetScrollHereY(1.0f);
   shown_ = studio.console.changes();
   ImGui::PopStyleVar();

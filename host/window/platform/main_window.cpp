@@ -10,10 +10,8 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cfloat>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <utility>
 
@@ -34,16 +32,6 @@ struct MainWindow::Events {
 };
 
 namespace {
-
-std::atomic<bool> news{false};  // there is one window, and one queue of events
-
-constexpr const char* instead = "; 'plinian render INPUT -o OUT.png' makes a picture without a window";
-
-std::string last_error() {
-  const char* text = nullptr;
-  glfwGetError(&text);
-  return text ? text : "the window system says no more";
-}
 
 std::string key_name(int key, int scancode) {
   static const std::map<int, std::string> named = {{GLFW_KEY_SPACE, "Space"},
@@ -71,27 +59,25 @@ std::string key_name(int key, int scancode) {
 
 }  // namespace
 
-bool has_display() {
-  const auto given = [](const char* name) {
-    const char* value = std::getenv(name);
-    return value && *value;
-  };
-  return given("DISPLAY") || given("WAYLAND_DISPLAY");
-}
+namespace {
 
-MainWindow::MainWindow(const std::string& title, ivec2 size) : events_(std::make_unique<Events>()) {
-  if (!has_display()) throw NoDisplay(std::string("there is no display to open a window on") + instead);
-  if (!glfwInit()) throw NoDisplay("no window can be opened: " + last_error() + instead);
+GLFWwindow* make_window(const std::string& title, ivec2 size) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-  GLFWwindow* window = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
-  if (!window) {
-    const std::string reason = last_error();
-    glfwTerminate();
-    throw NoDisplay("no window with OpenGL 4.5 can be opened: " + reason + instead);
+  // Not every driver can tell of a reset.
+  for (const int robustness : {GLFW_LOSE_CONTEXT_ON_RESET, GLFW_NO_ROBUSTNESS}) {
+    glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, robustness);
+    if (GLFWwindow* window = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr)) return window;
   }
+  throw NoDisplay("no window with OpenGL 4.5 can be opened: " + Desktop::last_error());
+}
+
+}  // namespace
+
+MainWindow::MainWindow(const std::string& title, ivec2 size) : events_(std::make_unique<Events>()) {
+  GLFWwindow* window = make_window(title, size);
   window_ = window;
   glfwSetWindowSizeLimits(window, 720, 480, GLFW_DONT_CARE, GLFW_DONT_CARE);
   glfwMakeContextCurrent(window);
@@ -162,7 +148,6 @@ MainWindow::~MainWindow() {
   ImGui_ImplGlfw_Shutdown();
   ImGui::DestroyContext();
   glfwDestroyWindow(static_cast<GLFWwindow*>(window_));
-  glfwTerminate();
 }
 
 bool MainWindow::wait(double seconds) {
@@ -170,7 +155,7 @@ bool MainWindow::wait(double seconds) {
     glfwWaitEventsTimeout(seconds);
   else
     glfwPollEvents();
-  const bool woken = news.exchange(false);
+  const bool woken = Desktop::take_wake();
   return std::exchange(events_->any, false) || woken;
 }
 
@@ -214,11 +199,6 @@ bool MainWindow::take_urgent() {
   return std::exchange(events_->urgent, false);
 }
 
-void MainWindow::wake() {
-  news = true;
-  glfwPostEmptyEvent();
-}
-
 void* MainWindow::gl_function(const char* name) {
   return reinterpret_cast<void*>(glfwGetProcAddress(name));
 }
@@ -244,6 +224,10 @@ void MainWindow::end_frame(vec3 background) {
   glClear(GL_COLOR_BUFFER_BIT);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
   glfwSwapBuffers(static_cast<GLFWwindow*>(window_));
+}
+
+bool MainWindow::is_context_lost() const {
+  return glGetGraphicsResetStatus() != GL_NO_ERROR;
 }
 
 void MainWindow::hide() {

@@ -3,26 +3,18 @@
 
 #include <functional>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "core/shared/glue.h"
 #include "host/window/hotkeys/hotkeys.h"
+#include "host/window/platform/desktop.h"
 
 namespace plinian::window {
 
-/// There is no display, or it has no OpenGL: one line that says what to do instead.
-struct NoDisplay : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-/// Whether the environment names a display.
-bool has_display();
-
 class MainWindow {
  public:
-  /// size: [points]. Throws NoDisplay. At most one at a time.
+  /// size: [points]. Throws NoDisplay. At most one at a time, while there is a Desktop.
   MainWindow(const std::string& title, ivec2 size);
   ~MainWindow();
   MainWindow(const MainWindow&) = delete;
@@ -38,15 +30,15 @@ class MainWindow {
   bool has_input() const;
   /// Whether a key or a button was among what was told, which must be answered at once.
   bool take_urgent();
-  /// Ends a wait from any thread; counts as an event.
-  static void wake();
-
   /// The address of a GL function; null where there is none.
   static void* gl_function(const char* name);
 
   void begin_frame();
   /// Draws the interface over `background` and shows it.
   void end_frame(vec3 background);
+
+  /// Whether its OpenGL context has gone, with all that was on the GPU; then another window is needed.
+  bool is_context_lost() const;
 
   void set_title(const std::string& title);
   /// Off the screen, before it goes.

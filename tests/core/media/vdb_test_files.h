@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/media/vdb_reader.h"
+#include "tests/core/media/real_files.h"
 
 namespace plinian {
 
@@ -85,13 +86,6 @@ inline int patch_double(const std::string& path, double from, double to) {
   write_bytes(path, bytes);
   return count;
 }
-
-/// The real files of other programs, which are not part of the project.
-inline std::string real_file(const std::string& name) {
-  return PLINIAN_SOURCE_DIR "/../shared/data/" + name;
-}
-#define PLINIAN_NEEDS_REAL_FILES() \
-  if (!std::filesystem::exists(real_file("smoke.vdb"))) GTEST_SKIP() << "no real files beside the project"
 
 /// The message of the VdbError that f throws; a test failure where it throws none.
 inline std::string error_of(const std::function<void()>& f) {

@@ -39,7 +39,7 @@ TEST_F(DropSitting, VolumesAndPicturesAreTakenAlsoSeveralAtOnceAndWhatNothingKno
   sitting.wait_for(" still");
   std::size_t before = sitting.now();
   sitting.drop({folder_.path() / "a puff, 50%.vdb"}, sitting.middle("picture"));
-  wait_for_rest(sitting, sitting, before);
+  wait_for_rest(sitting, before);
   sitting.keep("drop-volume.png");
   const ivec4 picture = sitting.item("picture");
   EXPECT_GT(bright_pixels(sitting), picture.z * picture.w / 100) << "lit, and large in the picture";
@@ -73,7 +73,7 @@ TEST_F(DropSitting, ASceneIsOpened) {
   const std::size_t before = sitting.now();
   sitting.drop({folder_.path() / "shot.plinian"}, sitting.middle("picture"));
   sitting.wait_for("open -force", before);
-  wait_for_rest(sitting, sitting, before);
+  wait_for_rest(sitting, before);
   sitting.keep("drop-scene.png");
   EXPECT_GT(bright_pixels(sitting), 100);
 }

@@ -279,6 +279,36 @@ TEST_F(WindowSitting, IsClosedAlthoughAPluginGoesOn) {
   EXPECT_TRUE(fs::is_empty(sitting.folder() / "state" / "plinian" / "unsaved"));
 }
 
+TEST_F(WindowSitting, StandsAgainWhereTheGpuWasReset) {
+  Sitting sitting({"sphere"});
+  wait_for_rest(sitting, 0);
+  command(sitting, "loadPlugin \"" PLINIAN_WINDOW_PLUGINS "/reset.so\"");
+  command(sitting, "createNode transform -name kept");
+  leave_fields(sitting, {700, 554});
+  sitting.wait_for(" still", sitting.now() - 1);
+  const ivec4 place = sitting.item("picture");
+  const Pixels before = sitting.pixels(place);
+  sitting.keep("gpu-1-before.png");
+  std::size_t at = sitting.now();
+  command(sitting, "resetGpu");
+  at = sitting.wait_for("window again", at);
+  sitting.wait_for(" still", at);
+  // What comes is rendered by what was lost, too.
+  command(sitting, "setAttr medium.density_scale 3");
+  wait_for_rest(sitting, at);
+  at = sitting.now();
+  command(sitting, "undo");
+  leave_fields(sitting, {700, 554});
+  wait_for_rest(sitting, at);
+  sitting.keep("gpu-2-again.png");
+  EXPECT_EQ(sitting.item("picture"), place);
+  EXPECT_GT(psnr(before, sitting.pixels(place).rgb), 60.0);
+  command(sitting, "save kept.plinian");
+  EXPECT_NE(text_of(sitting.folder() / "kept.plinian").find("node transform kept"), std::string::npos);
+  sitting.ask_to_close();
+  EXPECT_EQ(sitting.exit_code(), 0) << sitting.errors();
+}
+
 TEST_F(WindowSitting, OffersAfterACrashWhatWasNotSaved) {
   const std::vector<std::string> arguments = {"--empty", "--autosave", "0.2"};
   Sitting sitting(arguments);
