@@ -14,7 +14,6 @@
 #include "host/window/overlay/icons.h"
 #include "host/window/overlay/pick.h"
 #include "host/window/panels/overlay_text.h"
-#include "host/window/panels/snapshot_strip.h"
 #include "host/window/platform/theme.h"
 
 namespace plinian::window {
@@ -209,7 +208,7 @@ void Overlay::show(Studio& studio, const ViewPicture& picture, vec2 begin, vec2 
     show_lights(studio, scene, projection);
     show_cameras(studio, projection);
   }
-  const vec2 corner = begin + vec2(scaled(44), size.y - scaled(70) - snapshot_strip_height(studio));
+  const vec2 corner = begin + vec2(scaled(44), size.y - scaled(70));
   if (choice.axes) draw_axes(scene.camera, corner);
   if (choice.scale_bar) draw_scale_bar(projection, bounds, corner + vec2(scaled(52), scaled(22)));
   if (choice.gate && !studio.viewpoint.look.free && studio.feed.snapshot())

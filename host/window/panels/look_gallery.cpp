@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "host/window/panels/overlay_text.h"
+#include "host/window/panels/snapshot_strip.h"
 #include "host/window/panels/widgets.h"
 #include "host/window/platform/theme.h"
 
@@ -41,7 +42,7 @@ void LookGallery::show(Studio& studio, const PaneRect& pane) {
   const float width = widest + scaled(22), top = scaled(36);
   ImGui::SetNextWindowPos({pane.begin.x + pane.size.x - width - scaled(8), pane.begin.y + top});
   ImGui::SetNextWindowSize(
-      {width, std::min(pane.size.y - top - scaled(60),
+      {width, std::min(pane.size.y - top - scaled(60) - snapshot_strip_height(studio),
                        pictures ? float(pictures->size()) * (height + label + scaled(12)) + label + scaled(24)
                                 : scaled(70))});
   ImGui::SetNextWindowBgAlpha(0.75f);

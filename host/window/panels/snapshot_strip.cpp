@@ -34,8 +34,6 @@ void SnapshotStrip::show(Studio& studio, const PaneRect& pane) {
   const float height = scaled(height_of_pictures), label = ImGui::GetTextLineHeight();
   // Over the line that reads out the pixel.
   const float bottom = pane.begin.y + pane.size.y - label - scaled(14);
-  ImGui::SetNextWindowPos({pane.begin.x + scaled(8), bottom - strip});
-  ImGui::SetNextWindowSize({pane.size.x - scaled(16), strip});
   ImGui::SetNextWindowBgAlpha(0.0f);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
@@ -47,7 +45,9 @@ void SnapshotStrip::show(Studio& studio, const PaneRect& pane) {
       width += std::max(height * float(snapshot.thumbnail->width) / float(snapshot.thumbnail->height),
                         label_width(snapshot)) +
                scaled(10);
-  ImGui::SetNextWindowSize({std::min(pane.size.x - scaled(16), std::max(width, scaled(60))), strip});
+  width = std::min(pane.size.x - scaled(16), std::max(width, scaled(60)));
+  ImGui::SetNextWindowPos({pane.begin.x + pane.size.x - scaled(8) - width, bottom - strip});
+  ImGui::SetNextWindowSize({width, strip});
   ImGui::Begin("##snapshots", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoFocusOnAppearing);

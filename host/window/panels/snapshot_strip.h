@@ -1,4 +1,5 @@
-// The snapshots as a strip of thumbnails along the picture's lower edge.
+// The snapshots as a strip of thumbnails along the picture's lower edge, from the right: axes and scale are
+// on the left.
 #pragma once
 
 #include <map>

@@ -8,6 +8,7 @@
 
 #include "core/image/heat_map.h"
 #include "host/window/panels/overlay_text.h"
+#include "host/window/panels/snapshot_strip.h"
 #include "host/window/platform/theme.h"
 
 namespace plinian::window {
@@ -80,14 +81,15 @@ void show_figures(Studio& studio, const PaneRect& pane) {
   ImGui::PopFont();
 }
 
-void show_map_error(const DevelopedPtr& shown, const PaneRect& pane) {
+void show_map_error(const Studio& studio, const DevelopedPtr& shown, const PaneRect& pane) {
   if (!shown || !shown->map_error) return;
   const MapError& error = *shown->map_error;
   const std::string figures =
       fmt::format("|T exact - T map|   mean {:.4f}   worst {:.3f}", error.mean, error.worst);
   const std::string end = fmt::format("{:g}", MapError::full_scale);
   const float width = scaled(160), height = scaled(8), line = ImGui::GetTextLineHeight() + scaled(3);
-  const vec2 corner = pane.begin + pane.size - vec2(width + scaled(10), 2.0f * line + height);
+  const vec2 corner =
+      pane.begin + pane.size - vec2(width + scaled(10), 2.0f * line + height + snapshot_strip_height(studio));
   constexpr int steps = 40;
   ImDrawList* list = ImGui::GetWindowDrawList();
   for (int i = 0; i < steps; ++i) {

@@ -16,6 +16,6 @@ void show_figures(Studio& studio, const PaneRect& pane);
 void show_pixel(const DevelopedPtr& shown, const PaneRect& picture, const PaneRect& pane);
 
 /// Figures and colours of the error of maps, where that is what is seen.
-void show_map_error(const DevelopedPtr& shown, const PaneRect& pane);
+void show_map_error(const Studio& studio, const DevelopedPtr& shown, const PaneRect& pane);
 
 }  // namespace plinian::window

@@ -131,7 +131,7 @@ void ViewportPanel::show(Studio& studio, Drawings& drawings, const PaneRect& pan
   probe_.choose(studio, picture_, hovered && !comparison_.is_held());
   hand_.move(studio, picture_, hovered && !comparison_.is_held());
   show_notes(studio, pane, texture_.shown());
-  show_map_error(texture_.shown(), pane);
+  show_map_error(studio, texture_.shown(), pane);
   if (hovered) show_pixel(texture_.shown(), picture_, pane);
   ImGui::End();
   probe_.show(studio, pane);

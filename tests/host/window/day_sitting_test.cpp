@@ -76,7 +76,7 @@ TEST_F(DaySitting, AVolumeIsDroppedTunedComparedTakenBackAndSaved) {
   Sitting& sitting = *sitting_;
   wait_for_rest(sitting, 0);
   sitting.keep("day-01-start.png");
-  run({"render", smoke_, "-o", "reference.exr", "--size", "400x300", "--preset", "high", "-q"});
+  run({"render", smoke_, "-o", "reference.exr", "--passes", "2", "-q"});
 
   // Found, framed and lit, in place of the sample.
   std::size_t before = sitting.now();

@@ -35,7 +35,6 @@ struct Sitting::State {
   pid_t server = -1, program = -1;
   std::string display_name;
   Display* display = nullptr;
-  Window window = 0;
   std::ifstream trace;
   std::string rest;  // of a line that is not ended yet
 };
@@ -136,8 +135,7 @@ void Sitting::start_program(const std::vector<std::string>& arguments) {
   });
   released_at_.reset();
   wait_for("item \"picture\"");
-  state_->window = find_window(state_->display);
-  if (!state_->window) throw std::runtime_error("there is no window");
+  if (!find_window(state_->display)) throw std::runtime_error("there is no window");
 }
 
 void Sitting::kill_and_start_again(const std::vector<std::string>& arguments, int signal) {
@@ -349,11 +347,11 @@ void Sitting::drop(const std::vector<fs::path>& files, ivec2 at) {
     uris += "\r\n";
   }
   move(at);
-  drop_uris(state_->display, state_->window, uris, at);
+  drop_uris(state_->display, find_window(state_->display), uris, at);
 }
 
 void Sitting::resize(ivec2 size) {
-  XResizeWindow(state_->display, state_->window, unsigned(size.x), unsigned(size.y));
+  XResizeWindow(state_->display, find_window(state_->display), unsigned(size.x), unsigned(size.y));
   pause();
 }
 
@@ -398,11 +396,11 @@ void Sitting::keep(const std::string& name) {
 void Sitting::ask_to_close() {
   XEvent event{};
   event.xclient.type = ClientMessage;
-  event.xclient.window = state_->window;
+  event.xclient.window = find_window(state_->display);
   event.xclient.message_type = XInternAtom(state_->display, "WM_PROTOCOLS", False);
   event.xclient.format = 32;
   event.xclient.data.l[0] = long(XInternAtom(state_->display, "WM_DELETE_WINDOW", False));
-  XSendEvent(state_->display, state_->window, False, NoEventMask, &event);
+  XSendEvent(state_->display, find_window(state_->display), False, NoEventMask, &event);
   XSync(state_->display, False);
 }
 
