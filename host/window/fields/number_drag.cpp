@@ -43,7 +43,7 @@ double dragged_factor(const NumberRange& range, double start, double points, Dra
   if (pace == DragPace::fine) points *= 0.1;
   if (pace == DragPace::coarse) points *= 10.0;
   if (start <= 0.0) start = range.soft_minimum.value_or(0.01);
-  const double value = start * std::exp2(points / per_doubling);
+  const double value = start * std::exp2(std::clamp(points / per_doubling, -60.0, 60.0));
   const double digits = pace == DragPace::fine ? 1e-3 : 1e-2;
   return within(range, rounded_to(value, power_of_ten_under(value) * digits), is_inside(range, start));
 }
