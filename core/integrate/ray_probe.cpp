@@ -71,13 +71,6 @@ class Path {
   std::vector<One> media_;
 };
 
-/// Where the light ray through p stands in a map [0, 1]^2.
-vec2 map_place(const MapData& map, vec3 p) {
-  const vec3 q = vec3(glm::dot(map.row_u, vec4(p, 1.0f)), glm::dot(map.row_v, vec4(p, 1.0f)),
-                      glm::dot(map.row_k, vec4(p, 1.0f)));
-  return map.projection == projection_perspective ? 0.5f + vec2(q) / q.z : vec2(q);
-}
-
 /// The texels of a light's maps that a point's light ray lies between: all that decoding along it reads.
 struct FewTexels {
   FewTexels(const FlatScene& whole, std::size_t light, vec3 point) : flat(light_alone(whole, light)) {
@@ -88,9 +81,12 @@ struct FewTexels {
     texels.assign(layer * std::size_t(flat.group_count), uvec4(0u));
     for (int group = 0; group < flat.group_count; ++group) {
       const int map = flat.lights[0].first_map + group * flat.lights[0].faces + face;
-      flat.maps[std::size_t(map)].layer = group;
-      const vec2 place = glm::clamp(map_place(flat.maps[std::size_t(map)], point) * float(size) - 0.5f,
-                                    vec2(0.0f), vec2(float(size - 1)));
+      // At the lamp itself, where the ray begins, any face may be asked.
+      for (int f = 0; f < flat.lights[0].faces; ++f) flat.maps[std::size_t(map - face + f)].layer = group;
+      // In this order: there the place is none, and becomes 0.
+      const vec2 place = glm::min(
+          vec2(float(size - 1)),
+          glm::max(vec2(0.0f), vec2(shared::map_place(views.scene, map, point)) * float(size) - 0.5f));
       const ivec2 corner = glm::min(ivec2(place), ivec2(size - 2)), nearest = ivec2(place + 0.5f);
       const auto at = [&](ivec2 texel) {
         return texels.data() + std::size_t(group) * layer +

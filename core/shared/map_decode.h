@@ -100,8 +100,9 @@ PLN_FN float decode_place(PLN_SCENE, int map, vec3 place) {
   float v = place.y;
   float k = place.z;
   float size = float(MAP_RESOLUTION);
-  float s = clamp(u * size - 0.5f, 0.0f, size - 1.0f);
-  float t = clamp(v * size - 0.5f, 0.0f, size - 1.0f);
+  // In this order: at a lamp itself u and v are no numbers, and become 0.
+  float s = min(size - 1.0f, max(0.0f, u * size - 0.5f));
+  float t = min(size - 1.0f, max(0.0f, v * size - 0.5f));
   int column = min(int(s), MAP_RESOLUTION - 2);
   int row = min(int(t), MAP_RESOLUTION - 2);
   float fs = s - float(column);

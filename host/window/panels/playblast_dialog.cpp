@@ -49,8 +49,11 @@ void PlayblastDialog::show(Studio& studio) {
           ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings))
     return;
   const SceneSnapshot* scene = studio.feed.snapshot() ? &studio.feed.snapshot()->snapshot : nullptr;
-  ImGui::TextDisabled("The scene's camera, %s, %s, exposure %+.2g%s", studio.workspace.view().quality.c_str(),
-                      view_words(studio.development.view).c_str(), double(studio.development.view.exposure),
+  const float power = studio.development.view.gamma;
+  const std::string gamma = power == 1.0f ? "" : fmt::format(", gamma {:.3g}", power);
+  ImGui::TextDisabled("The scene's camera, %s, %s, exposure %+.2g%s%s",
+                      studio.workspace.view().quality.c_str(), view_words(studio.development.view).c_str(),
+                      double(studio.development.view.exposure), gamma.c_str(),
                       scene ? fmt::format(", {}x{}", scene->width, scene->height).c_str() : "");
   ImGui::SetNextItemWidth(scaled(90));
   ImGui::InputInt("##first", &first_, 0);
@@ -76,6 +79,7 @@ void PlayblastDialog::show(Studio& studio) {
   }
   ImGui::SetNextItemWidth(scaled(420));
   ImGui::InputText("##path", path_, sizeof path_);
+  note_item(studio.trace, "playblast path");
   ImGui::Spacing();
   if (ImGui::Button("Render", {scaled(110), 0.0f})) {
     PlayblastSettings settings;

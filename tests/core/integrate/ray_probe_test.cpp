@@ -81,6 +81,35 @@ TEST(RayProbe, ShowsALampsTransmittanceAndItsMaps) {
   expect_light_through_the_ball(scene, dvec3(0, 0.95, 0), 2.0, 2.05);
 }
 
+// The ray begins at the lamp, which has no direction to itself.
+TEST(RayProbe, FollowsLightFromALampWithinAMedium) {
+  for (const LightType type : {LightType::point, LightType::spot})
+    for (const dvec3 point : {dvec3(0.3, -0.2, 0.1), dvec3(0.02, 0.0, 0.0)}) {
+      SceneSnapshot scene = ball();
+      scene.lights.push_back(lamp(dvec3(0.0)));
+      scene.lights[0].type = type;
+      scene.lights[0].toward = vec3(-normalize(point));
+      const LightRayProbe probe = RayProbe(scene).light_ray(point, 0);
+      EXPECT_EQ(probe.samples.front().k, 0.0);
+      EXPECT_EQ(probe.samples.front().map, dvec3(1.0));
+      EXPECT_NEAR(probe.exact.y, std::exp(-sigma * length(point)), 1e-5);
+      EXPECT_NEAR(probe.map.y, probe.exact.y, 0.03);
+      for (const LightRayProbe::Sample& sample : probe.samples)
+        EXPECT_TRUE(sample.map.y >= 0.0 && sample.map.y <= 1.0) << sample.k;
+    }
+}
+
+TEST(RayProbe, LooksAtTheLampItself) {
+  SceneSnapshot scene = ball();
+  for (const LightType type : {LightType::point, LightType::spot}) {
+    scene.lights = {lamp(dvec3(0.0))};
+    scene.lights[0].type = type;
+    const LightRayProbe probe = RayProbe(scene).light_ray(dvec3(0.0), 0);
+    EXPECT_EQ(probe.exact, dvec3(1.0));
+    EXPECT_EQ(probe.map, dvec3(1.0));
+  }
+}
+
 TEST(RayProbe, FollowsColouredMediaOfTwoGroupsUnderTwoLights) {
   SceneSnapshot scene = ball();
   scene.media[0].sigma_s = vec3(6.0f, 9.0f, 18.0f);
