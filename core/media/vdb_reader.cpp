@@ -71,6 +71,7 @@ VdbGridInfo grid_info(const Json& json) {
   info.active_voxels = json.at("active_voxels").get<std::int64_t>();
   info.leaves = json.value("leaves", std::uint64_t(0));
   info.memory_bytes = json.value("memory_bytes", std::uint64_t(0));
+  info.stored_bytes = json.value("stored_bytes", std::uint64_t(0));
   if (json.contains("minimum")) info.minimum = json.at("minimum").get<double>();
   if (json.contains("maximum")) info.maximum = json.at("maximum").get<double>();
   if (json.contains("background")) info.background = number(json.at("background"), 0.0);
@@ -192,11 +193,15 @@ VdbVolume read_vdb(const std::string& path, const VdbOptions& options) {
   return result;
 }
 
-VdbInfo inspect_vdb(const std::string& path, const VdbOptions& options) {
+namespace {
+
+VdbInfo list_grids(const std::string& path, const VdbOptions& options, bool with_voxels) {
   VdbInfo info;
   info.path = path;
   info.file_bytes = check_file(path);
-  const Json json = vdb::run_task(make_task("list", path, info.file_bytes, options));
+  vdb::Task task = make_task("list", path, info.file_bytes, options);
+  task.request["voxels"] = with_voxels;
+  const Json json = vdb::run_task(task);
   try {
     info.format = json.at("format").get<std::string>();
     info.metadata = json.at("metadata").get<std::map<std::string, std::string>>();
@@ -206,6 +211,16 @@ VdbInfo inspect_vdb(const std::string& path, const VdbOptions& options) {
     nonsense(path);
   }
   return info;
+}
+
+}  // namespace
+
+VdbInfo inspect_vdb(const std::string& path, const VdbOptions& options) {
+  return list_grids(path, options, true);
+}
+
+VdbInfo list_vdb(const std::string& path, const VdbOptions& options) {
+  return list_grids(path, options, false);
 }
 
 }  // namespace plinian

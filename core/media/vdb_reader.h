@@ -64,6 +64,7 @@ struct VdbGridInfo {
   std::int64_t active_voxels = 0;           // tiles counted as the voxels they stand for
   std::uint64_t leaves = 0;                 // 8^3 blocks that hold voxels; 0 where only metadata was read
   std::uint64_t memory_bytes = 0;           // as OpenVDB holds it
+  std::uint64_t stored_bytes = 0;           // in the file; 0 where that does not tell, or it is not listed
   std::optional<double> minimum, maximum;   // of active values; absent for vectors, points and empty grids
   double background = 0.0;                  // scalar grids
   std::map<std::string, std::string> metadata;
@@ -122,5 +123,9 @@ struct VdbInfo {
 /// Lists every grid of a file. Of `options` only the limits and progress are used. Throws VdbError,
 /// VdbCancelled.
 VdbInfo inspect_vdb(const std::string& path, const VdbOptions& options = {});
+
+/// As above by what stands before the voxels, which are not parsed: quick however large the file is, but
+/// sizes are those that whoever wrote it noted, and there are no ranges.
+VdbInfo list_vdb(const std::string& path, const VdbOptions& options = {});
 
 }  // namespace plinian

@@ -233,19 +233,21 @@ void list_file(const Json& request, const Outlet& outlet) {
   Json result = file_facts(file);
   Json& grids = result["grids"] = Json::array();
   constexpr std::size_t most = 1000;
+  const bool parses = request.at("voxels").get<bool>();
   for (const GridEntry& entry : file.entries()) {
     if (grids.size() == most) break;
     Json info;
     std::string error;
     try {
       // Of what can be no density the voxels need not be parsed.
-      const bool whole = is_scalar(entry);
+      const bool whole = parses && is_scalar(entry);
       info = describe(entry, whole ? *file.read(entry) : *file.read_header(entry), whole);
     } catch (const std::exception& problem) {  // of one grid; the others may be whole
       info = {{"name", entry.label()}, {"value_type", entry.value_type()}};
       error = problem.what();
     }
     info["error"] = error;
+    info["stored_bytes"] = std::max<std::int64_t>(0, entry.end_at - entry.grid_at);
     grids.push_back(std::move(info));
   }
   outlet.result(result);

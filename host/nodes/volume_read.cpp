@@ -196,10 +196,13 @@ Attributes declare(sdk::NodeType& type) {
       type.add(attribute_of(parameters, "grid",
                             {.help = "Density grid: NAME, NAME[INDEX] or NAME[*] (their sum); empty: chosen.",
                              .group = "Grids",
-                             .affects = all}));
-  a.temperature_grid = type.add(attribute_of(
-      parameters, "temperature_grid",
-      {.help = "Grid of temperatures, or none; empty: found by name.", .group = "Grids", .affects = all}));
+                             .affects = all,
+                             .widget = "grid of file"}));
+  a.temperature_grid = type.add(attribute_of(parameters, "temperature_grid",
+                                             {.help = "Grid of temperatures, or none; empty: found by name.",
+                                              .group = "Grids",
+                                              .affects = all,
+                                              .widget = "grid of file or none"}));
   a.level_set = type.add(attribute_of(parameters, "level_set", {.group = "Grids", .affects = all}));
   a.frustum = type.add(attribute_of(parameters, "frustum", {.group = "Grids", .affects = all}));
   a.up_axis = type.add({.name = "up_axis",

@@ -44,7 +44,11 @@ std::string text_in(const fs::path& path) {
 }  // namespace
 
 Interface::Interface(MainWindow& window, Studio& studio)
-    : window_(window), studio_(studio), drawings_(studio, MainWindow::gl_function), nodes_(studio.session()) {
+    : window_(window),
+      studio_(studio),
+      drawings_(studio, MainWindow::gl_function),
+      nodes_(studio.session()),
+      file_dialog_(MainWindow::wake) {
   const Kept files = kept_files();
   sizes_ = read_pane_sizes(text_in(files.panes));
   studio_.show_nodes = sizes_.shows_nodes;
@@ -244,21 +248,25 @@ void Interface::show_splitters(const Panes& panes) {
 void Interface::show_dialogs() {
   const std::string& path = studio_.session().scene_path();
   const fs::path folder = path.empty() ? fs::path() : fs::path(path).parent_path();
-  if (std::exchange(studio_.ask_open, false))
-    open_dialog_.open("Open", folder, "", {".plinian", ".vdb", ".json", ".chan", ".exr"}, false);
-  if (std::exchange(studio_.ask_reference, false))
-    reference_dialog_.open("Load a reference", folder, "", {".exr", ".png"}, false);
+  const auto ask = [&](bool& asked, FileQuestion question, std::function<void(const std::string&)> take) {
+    question.folder = folder;
+    if (std::exchange(asked, false)) file_dialog_.open(studio_, std::move(question), std::move(take));
+  };
+  ask(studio_.ask_open, {.title = "Open", .extensions = {".plinian", ".vdb", ".json", ".chan", ".exr"}},
+      [this](const std::string& chosen) { studio_.files.open(chosen); });
+  ask(studio_.ask_reference, {.title = "Load a reference", .extensions = {".exr", ".png"}},
+      [this](const std::string& chosen) { studio_.run("loadReference " + graph::quote(chosen)); });
+  ask(studio_.ask_plate, {.title = "Load a plate", .extensions = {".exr", ".png"}},
+      [this](const std::string& chosen) { studio_.run("loadReference -plate " + graph::quote(chosen)); });
+  ask(studio_.ask_save_as,
+      {.title = "Save as",
+       .name = path.empty() ? "scene.plinian" : fs::path(path).filename().string(),
+       .extensions = {".plinian"},
+       .saves = true},
+      [this](const std::string& chosen) { studio_.files.save_as(chosen); });
+  file_dialog_.show(studio_);
   if (std::exchange(studio_.ask_playblast, false)) playblast_dialog_.open(studio_);
   playblast_dialog_.show(studio_);
-  if (std::exchange(studio_.ask_plate, false))
-    plate_dialog_.open("Load a plate", folder, "", {".exr", ".png"}, false);
-  if (std::exchange(studio_.ask_save_as, false))
-    save_dialog_.open("Save as", folder, path.empty() ? "scene.plinian" : fs::path(path).filename().string(),
-                      {".plinian"}, true);
-  if (const auto chosen = open_dialog_.show()) studio_.files.open(*chosen);
-  if (const auto chosen = reference_dialog_.show()) studio_.run("loadReference " + graph::quote(*chosen));
-  if (const auto chosen = plate_dialog_.show()) studio_.run("loadReference -plate " + graph::quote(*chosen));
-  if (const auto chosen = save_dialog_.show()) studio_.files.save_as(*chosen);
   if (const auto chosen = palette_.show(studio_)) act(*chosen);
   show_unsaved_question(studio_);
   show_recovery(studio_);

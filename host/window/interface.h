@@ -57,7 +57,7 @@ class Interface {
   ConsolePanel console_;
   NodePanel nodes_;
   Palette palette_;
-  FileDialog open_dialog_, save_dialog_, reference_dialog_, plate_dialog_;
+  FileDialog file_dialog_;
   PlayblastDialog playblast_dialog_;
   double draw_ms_ = 0.0;  // of the last drawing
   std::chrono::steady_clock::time_point drawn_{};

@@ -53,7 +53,8 @@ Studio::Studio(std::function<void()> wake, const std::string& trace_path)
       snapshots(workspace),
       looks(make_renderer, wake),
       inspector(wake),
-      files(workspace, commands, viewpoint, console, trace) {
+      files(workspace, commands, viewpoint, console, trace),
+      grids(wake) {
   files.frame_all = [this] { viewpoint.frame(false, picture_size); };
   development.view.view = default_view();
   read_hotkeys(hotkeys, console);

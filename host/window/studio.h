@@ -16,6 +16,7 @@
 #include "host/window/compare/comparison.h"
 #include "host/window/compare/snapshots.h"
 #include "host/window/console/console_log.h"
+#include "host/window/files/grid_lists.h"
 #include "host/window/files/playblast.h"
 #include "host/window/files/scene_files.h"
 #include "host/window/handles/tool_choice.h"
@@ -90,6 +91,7 @@ class Studio {
   Inspector inspector;
 
   SceneFiles files;
+  GridLists grids;
   Playblast playblast;
   /// Errors go to the console.
   void start_playblast(const PlayblastSettings& settings);

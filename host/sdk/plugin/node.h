@@ -26,8 +26,10 @@ struct AttributeSpec {
   bool keyable = true, storable = true, connectable = true;
   bool of_picture = true;  // of a shape: affects its contribution
   std::vector<AttributeSpec> children{};
-  std::string widget{}, shown_when{};  // "slider"; "mode=low,high": shown while the attribute reads so
-  double step = 0.0;                   // of the slider; 0: smooth
+  std::string widget{};      // "slider", "factor"; "grid of NAME": text, a grid of the .vdb file of attribute
+                             // NAME, whose grids are offered; "grid of NAME or none"
+  std::string shown_when{};  // "mode=low,high": shown while the attribute reads so
+  double step = 0.0;         // of the slider; 0: smooth
 };
 
 /// The attributes of a node in an older scene, by their paths, as texts.

@@ -2,36 +2,21 @@
 #include "host/window/files/recent_lines.h"
 
 #include <algorithm>
-#include <fstream>
 #include <utility>
 
-#include "core/files/atomic_file.h"
+#include "host/window/files/line_file.h"
 
 namespace plinian::window {
 
-namespace fs = std::filesystem;
-
-RecentLines::RecentLines(fs::path file, std::size_t most) : file_(std::move(file)), most_(most) {}
+RecentLines::RecentLines(std::filesystem::path file, std::size_t most)
+    : file_(std::move(file)), most_(most) {}
 
 std::vector<std::string> RecentLines::all() const {
-  std::vector<std::string> lines;
-  std::ifstream file(file_);
-  for (std::string line; std::getline(file, line);)
-    if (!line.empty()) lines.push_back(line);
-  return lines;
+  return read_lines(file_);
 }
 
 void RecentLines::write(const std::vector<std::string>& lines) const {
-  if (file_.empty()) return;
-  std::string text;
-  for (const std::string& line : lines) text += line + "\n";
-  std::error_code ignored;
-  fs::create_directories(file_.parent_path(), ignored);
-  try {
-    write_file(file_.string(), std::string_view(text));
-  } catch (const FileError&) {
-    // The list is a convenience.
-  }
+  write_lines(file_, lines);  // the list is a convenience
 }
 
 void RecentLines::add(const std::string& line) {

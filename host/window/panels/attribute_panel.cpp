@@ -7,9 +7,11 @@
 
 #include "host/graph/graph_error.h"
 #include "host/graph/model/conversion.h"
+#include "host/graph/values/file_path.h"
 #include "host/scene/looks.h"
 #include "host/window/fields/arithmetic.h"
 #include "host/window/fields/edit_lines.h"
+#include "host/window/panels/grid_field.h"
 #include "host/window/platform/theme.h"
 
 namespace plinian::window {
@@ -39,6 +41,19 @@ void send(Studio& studio, const Plug& plug, const std::string& words, const std:
 void send_once(Studio& studio, const Plug& plug, const std::string& words) {
   send(studio, plug, words, studio.commands.new_merge_key("set"));
   studio.commands.end_drag();
+}
+
+// What an attribute of the row's node names, whole; empty where there is none.
+std::string file_of(Studio& studio, const AttributeRow& row, const std::string& attribute) {
+  const graph::Node& node = *studio.session().graph().find(row.plug.node);
+  const int index = node.schema->find(attribute);
+  const std::string* typed = index < 0 ? nullptr : std::get_if<std::string>(&node.value(index));
+  if (!typed) return "";
+  try {
+    return graph::expand_path(*typed, studio.session().scene_folder());
+  } catch (const graph::GraphError&) {
+    return "";
+  }
 }
 
 std::string short_unit(const std::string& unit) {
@@ -199,6 +214,11 @@ void AttributePanel::show_value(Studio& studio, const AttributeRow& row, float w
       ImGui::EndCombo();
     }
     ImGui::EndDisabled();
+  } else if (const auto grid = grid_widget(spec.layout.widget); grid && spec.type == AttributeType::string) {
+    const std::string now = std::get<std::string>(graph.find(row.plug.node)->value(row.plug.attribute));
+    const std::string path = file_of(studio, row, grid->file);
+    if (const auto chosen = grid_field(studio, row.name, now, *grid, path, width, enabled))
+      send_once(studio, row.plug, graph::quote(*chosen));
   } else {
     const bool text = spec.type == AttributeType::string || spec.type == AttributeType::path;
     const graph::Value& value = graph.find(row.plug.node)->value(row.plug.attribute);

@@ -1,33 +1,51 @@
-// Choosing a file, in the window.
+// Choosing a file, in the window: places, a list, a name.
 #pragma once
 
-#include <filesystem>
-#include <optional>
+#include <functional>
+#include <map>
 #include <string>
-#include <vector>
 
-#include "host/window/files/file_list.h"
+#include "host/window/files/file_browser.h"
+#include "host/window/panels/file_table.h"
+#include "host/window/panels/place_list.h"
+#include "host/window/studio.h"
+
+struct ImGuiInputTextCallbackData;
 
 namespace plinian::window {
 
 class FileDialog {
  public:
-  /// saves: the file need not exist. name: to begin with.
-  void open(const std::string& title, const std::filesystem::path& folder, const std::string& name,
-            std::vector<std::string> extensions, bool saves);
-  /// The path that was chosen in this turn.
-  std::optional<std::string> show();
+  /// wake: as of FileBrowser.
+  explicit FileDialog(std::function<void()> wake);
+
+  /// question.folder: where it saves; where it opens, that only counts the first time. take: hears the path
+  /// that was chosen.
+  void open(Studio& studio, FileQuestion question, std::function<void(const std::string&)> take);
+  void show(Studio& studio);
 
  private:
-  void go_to(const std::filesystem::path& folder);
+  void show_head(Studio& studio);
+  void show_list(Studio& studio);
+  void show_line(Studio& studio);
+  void show_foot(Studio& studio);
+  void show_name(Studio& studio, float width);
+  void take_keys();
+  void take();
+  void close();
+  int edit(ImGuiInputTextCallbackData& data);
 
-  std::string title_;
-  std::filesystem::path folder_;
-  std::vector<std::string> extensions_;
-  std::vector<FileEntry> entries_;
-  std::string problem_;
-  char path_[4096] = "", name_[1024] = "";
-  bool saves_ = false, opens_ = false;
+  FileBrowser browser_;
+  PlaceList places_;
+  FileTable table_;
+  std::map<std::string, std::filesystem::path> folders_;  // where one was last, by the question's title
+  std::function<void(const std::string&)> take_;
+  char path_[4096] = "", name_[4096] = "";
+  bool opens_ = false, is_open_ = false;
+  bool path_active_ = false;  // keys are that field's
+  bool reloads_ = false;      // the name is another one while it is typed in
+  int focused_ = -2;          // picture in which the name asked for the keys
+  std::string listed_;        // folder, as the trace was told
 };
 
 }  // namespace plinian::window

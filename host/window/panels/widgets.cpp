@@ -184,7 +184,8 @@ FieldEdit number_field(const char* id, double value, const NumberRange& range, c
   return edit;
 }
 
-std::optional<std::string> text_field(const char* id, const std::string& text, float width, bool enabled) {
+std::optional<std::string> text_field(const char* id, const std::string& text, float width, bool enabled,
+                                      const char* hint) {
   static ImGuiID edited = 0;
   static char buffer[4096];
   const ImGuiID self = ImGui::GetID(id);
@@ -192,9 +193,9 @@ std::optional<std::string> text_field(const char* id, const std::string& text, f
   std::snprintf(shown, sizeof shown, "%s", text.c_str());
   ImGui::SetNextItemWidth(width);
   const bool mine = edited == self;
-  const bool entered =
-      ImGui::InputText(id, mine ? buffer : shown, sizeof shown,
-                       ImGuiInputTextFlags_EnterReturnsTrue | (enabled ? 0 : ImGuiInputTextFlags_ReadOnly));
+  const bool entered = ImGui::InputTextWithHint(
+      id, hint, mine ? buffer : shown, sizeof shown,
+      ImGuiInputTextFlags_EnterReturnsTrue | (enabled ? 0 : ImGuiInputTextFlags_ReadOnly));
   if (!mine && ImGui::IsItemActive()) {
     edited = self;
     std::memcpy(buffer, shown, sizeof buffer);

@@ -38,9 +38,10 @@ struct FieldLook {
 /// A number that is dragged (Ctrl fine, Shift coarse) or, after a click, typed.
 FieldEdit number_field(const char* id, double value, const NumberRange& range, const FieldLook& look);
 
-/// A text that is edited in place and confirmed by Enter or by leaving it.
+/// A text that is edited in place and confirmed by Enter or by leaving it. hint: stands faintly where there
+/// is none.
 std::optional<std::string> text_field(const char* id, const std::string& text, float width,
-                                      bool enabled = true);
+                                      bool enabled = true, const char* hint = "");
 
 /// A button that is on or off. width: [points]; 0: the label's.
 bool toggle(const char* label, bool on, const char* help, float width = 0.0f);

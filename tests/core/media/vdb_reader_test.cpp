@@ -510,6 +510,23 @@ TEST(VdbInspect, ListsEveryGridWithWhatItCanBeUsedFor) {
   EXPECT_EQ(info.grids[2].active_voxels, 1);
   EXPECT_FALSE(info.grids[2].refusal.empty());
   EXPECT_EQ(info.grids[4].name, "twice[1]");
+
+  // The same by what stands before the voxels, without any of them.
+  const std::size_t file_bytes = read_bytes(folder / "a.vdb").size();
+  const VdbInfo listed = list_vdb(folder / "a.vdb");
+  ASSERT_EQ(listed.grids.size(), 5u);
+  for (std::size_t i = 0; i < listed.grids.size(); ++i) {
+    EXPECT_EQ(listed.grids[i].name, info.grids[i].name);
+    EXPECT_EQ(listed.grids[i].value_type, info.grids[i].value_type);
+    EXPECT_EQ(listed.grids[i].grid_class, info.grids[i].grid_class);
+    EXPECT_EQ(listed.grids[i].refusal, info.grids[i].refusal);
+    EXPECT_EQ(listed.grids[i].dims, info.grids[i].dims);
+    EXPECT_EQ(listed.grids[i].active_voxels, info.grids[i].active_voxels);
+    EXPECT_GT(listed.grids[i].stored_bytes, 0u);
+    EXPECT_LT(listed.grids[i].stored_bytes, file_bytes);
+    EXPECT_EQ(listed.grids[i].leaves, 0u);
+    EXPECT_FALSE(listed.grids[i].maximum.has_value());
+  }
 }
 
 TEST(VdbRealFiles, AreReadAsTheirReadmeDescribesThem) {
