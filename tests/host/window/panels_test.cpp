@@ -1,11 +1,8 @@
 // What panels show and send, without a window: rows by schema, commands of fields, console, completion,
 // panes.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 
 #include "core/scene/placement.h"
 #include "host/scene/workspace.h"
@@ -14,14 +11,11 @@
 #include "host/window/console/wrapped_rows.h"
 #include "host/window/fields/attribute_rows.h"
 #include "host/window/fields/edit_lines.h"
-#include "host/window/files/file_list.h"
 #include "host/window/navigation/key_light.h"
 #include "host/window/panels/layout.h"
 
 namespace plinian::window {
 namespace {
-
-namespace fs = std::filesystem;
 
 const AttributeRow* row_of(const std::vector<AttributeGroup>& groups, const std::string& label) {
   for (const AttributeGroup& group : groups)
@@ -210,22 +204,6 @@ TEST(Layout, PanesAreRememberedAndNonsenseIsNot) {
   EXPECT_EQ(read_pane_sizes(text_of(sizes)).outliner, 0.5f);
   EXPECT_EQ(read_pane_sizes("left nan\nright 1e9\nwrong").left, PaneSizes().left);
   EXPECT_LE(read_pane_sizes("right 1e9").right, 1200.0f);
-}
-
-TEST(FileList, CollapsesSequencesAndPutsFoldersFirst) {
-  const fs::path folder = fs::temp_directory_path() / ("plinian_file_list_" + std::to_string(getpid()));
-  fs::create_directories(folder / "sub");
-  for (const char* name : {"smoke.0001.vdb", "smoke.0002.vdb", "smoke.0010.vdb", "one.0001.vdb",
-                           "shot.plinian", "picture.png", ".hidden.vdb"})
-    std::ofstream(folder / name) << "x";
-  std::vector<std::string> labels;
-  for (const FileEntry& entry : list_files(folder, {".vdb", ".plinian"})) labels.push_back(entry.label);
-  EXPECT_EQ(labels,
-            (std::vector<std::string>{"sub/", "one.0001.vdb", "shot.plinian", "smoke.####.vdb  1-10"}));
-  std::string problem;
-  EXPECT_TRUE(list_files(folder / "missing", {}, &problem).empty());
-  EXPECT_NE(problem.find("missing"), std::string::npos);
-  fs::remove_all(folder);
 }
 
 }  // namespace

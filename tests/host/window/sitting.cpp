@@ -1,6 +1,7 @@
 #include "tests/host/window/sitting.h"
 
 #include <X11/XKBlib.h>
+#include <X11/Xatom.h>
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
 #include <X11/extensions/XTest.h>
@@ -93,8 +94,8 @@ std::string Sitting::problem() {
   return "Xvfb is not installed";
 }
 
-Sitting::Sitting(const std::vector<std::string>& arguments, ivec2 size)
-    : state_(std::make_unique<State>()), size_(size) {
+Sitting::Sitting(const std::vector<std::string>& arguments, ivec2 size, int scale)
+    : state_(std::make_unique<State>()), size_(size), scale_(scale) {
   int number[2];
   if (pipe(number) != 0) throw std::runtime_error("no pipe");
   const std::string screen = std::to_string(size.x) + "x" + std::to_string(size.y) + "x24";
@@ -116,13 +117,18 @@ Sitting::Sitting(const std::vector<std::string>& arguments, ivec2 size)
 
   state_->display = XOpenDisplay(state_->display_name.c_str());
   if (!state_->display) throw std::runtime_error("the display cannot be opened");
+  const std::string resources = "Xft.dpi:\t" + std::to_string(96 * scale) + "\n";
+  XChangeProperty(state_->display, DefaultRootWindow(state_->display), XA_RESOURCE_MANAGER, XA_STRING, 8,
+                  PropModeReplace, reinterpret_cast<const unsigned char*>(resources.data()),
+                  int(resources.size()));
+  XSync(state_->display, False);
   start_program(arguments);
 }
 
 void Sitting::start_program(const std::vector<std::string>& arguments) {
-  std::vector<std::string> words = {PLINIAN_PROGRAM, "view",
-                                    "--trace",       folder_ / "trace",
-                                    "--size",        std::to_string(size_.x) + "x" + std::to_string(size_.y)};
+  std::vector<std::string> words = {
+      PLINIAN_PROGRAM,   "view",   "--trace",
+      folder_ / "trace", "--size", std::to_string(size_.x / scale_) + "x" + std::to_string(size_.y / scale_)};
   words.insert(words.end(), arguments.begin(), arguments.end());
   state_->program = start(words, [&] {
     setenv("DISPLAY", state_->display_name.c_str(), 1);

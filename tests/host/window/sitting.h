@@ -22,8 +22,10 @@ struct Pixels {
 
 class Sitting {
  public:
-  /// Starts a display and the program on it. arguments: after `view`. Throws std::runtime_error.
-  explicit Sitting(const std::vector<std::string>& arguments, ivec2 size = {1000, 560});
+  /// Starts a display and the program on it. arguments: after `view`. size: of the display [pixels], which
+  /// the window fills. scale: of the interface, as a desktop with small pixels asks for. Throws
+  /// std::runtime_error.
+  explicit Sitting(const std::vector<std::string>& arguments, ivec2 size = {1000, 560}, int scale = 1);
   /// Ends both.
   ~Sitting();
   /// Why there can be no sitting here; empty where there can.
@@ -91,6 +93,7 @@ class Sitting {
   std::unique_ptr<State> state_;
   TemporaryFolder folder_;
   ivec2 size_;
+  int scale_;
   std::vector<std::string> lines_;
   std::optional<ivec2> released_at_;  // by a click that the window may not have seen the end of
 };
