@@ -121,6 +121,8 @@ void Interface::turn() {
   if (due && (redraws_ > 0 || studio_.renderer.status().is_busy)) {
     draw();
     --redraws_;
+    // A field has the keys that it asked for only with the picture after.
+    if (is_typing_expected()) redraws_ = std::max(redraws_, 1);
     still_ = false;
   }
   if (studio_.commands.has_work()) {

@@ -146,7 +146,8 @@ void FileBrowser::choose(std::size_t row) {
 void FileBrowser::step(int rows) {
   if (rows_.empty() || rows == 0) return;
   const int last = int(rows_.size()) - 1;
-  choose(std::size_t(chosen_ ? std::clamp(int(*chosen_) + rows, 0, last) : rows > 0 ? 0 : last));
+  const int from = chosen_ ? int(*chosen_) : rows > 0 ? -1 : last + 1;
+  choose(std::size_t(std::clamp(from + rows, 0, last)));
 }
 
 void FileBrowser::type(const std::string& text, bool pasted) {
@@ -241,7 +242,7 @@ FileBrowser::Line FileBrowser::line() const {
     constexpr auto soon = std::chrono::milliseconds(200);
     return {Clock::now() - asked_ > soon ? "reading the folder ..." : "", false};
   }
-  if (!listing_.problem.empty()) return {listing_.problem, true};
+  if (!listing_.problem.empty()) return {listing_.problem, true, true};
   using Kind = FileEntry::Kind;
   const auto how_many = [](const std::vector<FileEntry>& entries, Kind kind) {
     return std::size_t(std::count_if(entries.begin(), entries.end(),
@@ -250,8 +251,8 @@ FileBrowser::Line FileBrowser::line() const {
   if (how_many(listing_.entries, Kind::folder) == listing_.entries.size() && letters_.empty())
     return {question_.saves ? "No " + list_of(question_.extensions) + " here yet"
                             : "Nothing to be opened here; looked for " + list_of(question_.extensions),
-            false};
-  if (rows_.empty()) return {fmt::format("Nothing here has \"{}\" in its name", letters_), false};
+            false, rows_.empty()};
+  if (rows_.empty()) return {fmt::format("Nothing here has \"{}\" in its name", letters_), false, true};
   std::string text;
   for (const auto& [kind, what] : {std::pair(Kind::folder, "folder"), std::pair(Kind::sequence, "sequence"),
                                    std::pair(Kind::file, "file")})

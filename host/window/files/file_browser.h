@@ -68,6 +68,7 @@ class FileBrowser {
   struct Line {
     std::string text;
     bool is_problem = false;
+    bool is_why_empty = false;  // it stands for rows, of which there are none
   };
   Line line() const;
 

@@ -164,9 +164,10 @@ void FileDialog::show_line(Studio& studio) {
   const ImVec2 begin = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight();
   const bool asks = !browser_.overwrites().empty();
-  const FileBrowser::Line line =
+  FileBrowser::Line line =
       asks ? FileBrowser::Line{browser_.overwrites().filename().string() + " is there already.", false}
            : browser_.line();
+  if (line.is_why_empty) line.text.clear();  // the list says it
   const float buttons = asks ? 2.0f * scaled(90) + 2.0f * scaled(8) : 0.0f;
   ImGui::PushClipRect(begin, {begin.x + width - buttons, begin.y + height}, true);
   ImGui::AlignTextToFramePadding();

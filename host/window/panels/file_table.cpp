@@ -113,7 +113,8 @@ void FileTable::show_headings(Trace& trace, FileBrowser& browser, float width) {
   heading("Name", FileColumn::name, at.x, columns.name_end, false);
   heading("Size", FileColumn::size, columns.name_end, columns.size_end, true);
   heading("Modified", FileColumn::modified, columns.size_end + scaled(8), columns.time_end, true);
-  list->AddLine({at.x, at.y + height}, {at.x + width, at.y + height}, ImGui::GetColorU32(ImGuiCol_Border));
+  const float right = at.x + ImGui::GetContentRegionMax().x;
+  list->AddLine({at.x, at.y + height}, {right, at.y + height}, ImGui::GetColorU32(ImGuiCol_Border));
   ImGui::SetCursorScreenPos({at.x, at.y + height + 1.0f});
 }
 
@@ -159,6 +160,13 @@ FileTable::Doing FileTable::show(Trace& trace, FileBrowser& browser, vec2 size) 
       draw_row(entry, at, width, height);
     }
   clipper.End();
+  if (const FileBrowser::Line line = browser.line(); line.is_why_empty) {
+    ImGui::SetCursorPos({scaled(8), scaled(6)});
+    ImGui::PushTextWrapPos(width - scaled(8));
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(line.is_problem ? colour::error : colour::faint_text),
+                       "%s", line.text.c_str());
+    ImGui::PopTextWrapPos();
+  }
   ImGui::EndDisabled();
   ImGui::PopStyleVar();
   ImGui::EndChild();

@@ -71,7 +71,8 @@ std::optional<std::string> show_offers(Studio& studio, const std::vector<Offer>&
     if (ImGui::Selectable("##grid", offer.value == now, 0, {whole, 0.0f})) chosen = offer.value;
     ImGui::EndDisabled();
     ImGui::PopID();
-    note_item(studio.trace, "grid " + (offer.value.empty() ? "by name" : offer.value));
+    if (!ImGui::IsWindowAppearing())  // else it is not yet where it will be
+      note_item(studio.trace, "grid " + (offer.value.empty() ? "by name" : offer.value));
     help(offer.refusal);
     ImDrawList* list = ImGui::GetWindowDrawList();
     const unsigned faint = colour::faint_text;

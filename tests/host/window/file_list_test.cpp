@@ -38,7 +38,7 @@ TEST(SequenceNames, FramesOfOnePatternAreOneWhateverTheirPadding) {
   EXPECT_EQ(groups({"a.8.vdb", "a.9.vdb", "a.10.vdb"}), Names{"a.#.vdb"}) << "not padded at all";
   EXPECT_EQ(groups({"a.1001.vdb", "a.1002.vdb"}), Names{"a.####.vdb"});
   EXPECT_EQ(groups({"a.0998.vdb", "a.9999.vdb", "a.10000.vdb"}), Names{"a.####.vdb"}) << "outgrown";
-  EXPECT_EQ(groups({"a.01.vdb", "a.02.vdb", "a.001.vdb", "a.002.vdb"}), (Names{"a.##.vdb", "a.###.vdb"}));
+  EXPECT_EQ(groups({"a.01.vdb", "a.02.vdb", "a.001.vdb", "a.002.vdb"}), (Names{"a.###.vdb", "a.##.vdb"}));
   EXPECT_EQ(groups({"a1.vdb", "a2.vdb", "b1.vdb", "a1.exr"}), (Names{"a#.vdb", "a1.exr", "b1.vdb"}));
   EXPECT_EQ(groups({"ash_v1.vdb", "ash_v2.vdb", "v001.vdb", "v002.vdb"}),
             (Names{"ash_v1.vdb", "ash_v2.vdb", "v001.vdb", "v002.vdb"}))

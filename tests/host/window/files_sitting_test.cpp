@@ -67,14 +67,17 @@ TEST_F(FilesSitting, ABookmarkLeadsToAVolumeWhoseGridsAreChosenFromAList) {
   open(sitting);
   before = sitting.now();
   sitting.click(sitting.middle("place Home"));
-  sitting.wait_for("folder ", before);
+  sitting.wait_for(" still", sitting.wait_for("folder ", before));
   sitting.keep("files-home.png");
   before = sitting.now();
   sitting.click(sitting.middle("place shots"));
   sitting.wait_for("folder " + shots_.string() + " lists 4", before);
+  before = sitting.now();
   sitting.click(sitting.middle("file column Size"));
+  sitting.wait_for("item \"file plume.####.vdb\"", before);  // elsewhere
   sitting.click(sitting.middle("file plume.####.vdb"));
   sitting.wait_for_keys("keys to a field");
+  sitting.wait_for(" still", sitting.now());
   sitting.keep("files-list.png");
   sitting.type("EXPL");
   sitting.move({640, 690});
@@ -136,7 +139,10 @@ TEST_F(FilesSitting, KeysAndThePasteAloneDoItAndNothingIsWrittenOverUnasked) {
   sitting.type((shots_ / "ash.vdb").string());
   sitting.stroke("Control_L+a");
   sitting.stroke("Control_L+x");
+  sitting.keep("debug1.png");
   sitting.stroke("Control_L+v");
+  for (int i = 0; i < 3; ++i) sitting.wait_for(" still", sitting.now());
+  sitting.keep("debug2.png");
   sitting.wait_for("folder " + shots_.string() + " lists", before);
   sitting.keep("files-pasted.png");
   before = sitting.now();
