@@ -14,6 +14,12 @@ bool is_modifier(int key) {
   return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
 }
 
+// While one of these is down letters are no text: Dear ImGui drops what was typed in the same picture.
+bool is_control(int key) {
+  return key == GLFW_KEY_LEFT_CONTROL || key == GLFW_KEY_RIGHT_CONTROL || key == GLFW_KEY_LEFT_SUPER ||
+         key == GLFW_KEY_RIGHT_SUPER;
+}
+
 // What may change where keys go: Escape, Enter, Tab, arrows, chords. Letters and signs come in numbers.
 bool is_of_consequence(const InputEvent& key) {
   constexpr int first_without_sign = GLFW_KEY_ESCAPE;
@@ -33,7 +39,7 @@ class Share {
       case InputEvent::Kind::wheel:
         return buttons_.empty() && !decided_;
       case InputEvent::Kind::character:
-        return buttons_.empty() && !decided_;
+        return buttons_.empty() && !decided_ && !control_;
       case InputEvent::Kind::key:
         break;
     }
@@ -41,6 +47,10 @@ class Share {
     if (!buttons_.empty()) return false;
     if (!event.down) return true;
     if (keys_.contains(event.code) || decided_) return false;
+    if (is_control(event.code) && text_) return false;
+    // Let go meanwhile, which this picture is not told.
+    if (control_ && !is_modifier(event.code) && !(event.modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)))
+      return false;
     return !is_of_consequence(event) || (!signs_ && !kept_back_);
   }
 
@@ -56,7 +66,11 @@ class Share {
         if (event.repeat || !event.down) break;
         keys_.insert(event.code);
         decided_ = is_of_consequence(event);
+        control_ |= is_control(event.code);
         signs_ |= !is_modifier(event.code);
+        break;
+      case InputEvent::Kind::character:
+        text_ = true;
         break;
       default:
         break;
@@ -69,6 +83,7 @@ class Share {
  private:
   std::set<int> buttons_, keys_;  // that changed, that were pressed
   bool wheeled_ = false, signs_ = false, decided_ = false, kept_back_ = false;
+  bool text_ = false, control_ = false;  // were typed; was pressed
 };
 
 }  // namespace

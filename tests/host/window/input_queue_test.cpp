@@ -93,6 +93,17 @@ TEST(InputQueue, AChordIsOneOfConsequence) {
 }
 
 // Else a click would be one with Alt held, or without.
+TEST(InputQueue, TextIsNotToldTogetherWithControlWhichWouldMakeItNone) {
+  constexpr int control = GLFW_KEY_LEFT_CONTROL;
+  EXPECT_EQ(pictures({key('B', true), character('b'), key('B', false), key(control, true),
+                      key('A', true, GLFW_MOD_CONTROL), key('A', false, GLFW_MOD_CONTROL),
+                      key(control, false), key('C', true), character('c'), key('C', false)}),
+            (std::vector<std::string>{"k66+ 'b", "k66- k341+ k65+", "k65- k341- k67+ 'c", "k67-"}));
+  EXPECT_EQ(pictures({key(control, true), key(control, false), key('C', true), character('c')}),
+            (std::vector<std::string>{"k341+", "k341- k67+ 'c"}))
+      << "Control that is let go before is no Ctrl+C";
+}
+
 TEST(InputQueue, ModifiersAreHeldOverAClickAsTheyWere) {
   const int alt = GLFW_KEY_LEFT_ALT;
   EXPECT_EQ(pictures({key(alt, true), button(true), button(false), key(alt, false), button(true)}),
