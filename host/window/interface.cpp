@@ -211,6 +211,9 @@ void Interface::act(Action action) {
       return timeline_.step(studio_, 1.0);
     case Action::previous_frame:
       return timeline_.step(studio_, -1.0);
+    case Action::cancel:
+      if (timeline_.is_playing()) timeline_.toggle_play(studio_);
+      return window::act(studio_, action);
     default:
       return window::act(studio_, action);
   }

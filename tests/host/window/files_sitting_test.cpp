@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "tests/host/cli/program.h"
-#include "tests/host/window/sitting.h"
+#include "tests/host/window/steps.h"
 
 namespace plinian {
 namespace {
@@ -33,15 +33,6 @@ class FilesSitting : public testing::Test {
     sitting.wait_for("folder ", before);
     sitting.wait_for_keys("keys to a field");
   }
-  static void wait_for_rest(Sitting& sitting, std::size_t since) {
-    const std::size_t rest = sitting.wait_for(
-        [](const std::string& line) {
-          return line.find(" picture ") != line.npos && line.find(" rest ") != line.npos &&
-                 line.find("passes 0") == line.npos;
-        },
-        since);
-    sitting.wait_for(" still", rest);
-  }
 
   TemporaryFolder folder_;
   fs::path shots_ = folder_.path() / "shots";
@@ -49,7 +40,7 @@ class FilesSitting : public testing::Test {
 
 TEST_F(FilesSitting, ABookmarkLeadsToAVolumeWhoseGridsAreChosenFromAList) {
   Sitting sitting({"sphere"}, {1280, 700});
-  sitting.wait_for(" still", sitting.wait_for(" rest "));
+  wait_for_rest(sitting, 0);
 
   // A path as a terminal gives it is gone to; the folder is remembered.
   open(sitting);
@@ -114,7 +105,7 @@ TEST_F(FilesSitting, ABookmarkLeadsToAVolumeWhoseGridsAreChosenFromAList) {
 TEST_F(FilesSitting, KeysAndThePasteAloneDoItAndNothingIsWrittenOverUnasked) {
   folder_.write("shots/shot.plinian", "somebody's work\n");
   Sitting sitting({"sphere"}, {1280, 700});
-  sitting.wait_for(" still", sitting.wait_for(" rest "));
+  wait_for_rest(sitting, 0);
 
   // Down into a folder and back up by keys; a path that is pasted is shown where it is.
   open(sitting);
@@ -168,7 +159,7 @@ TEST_F(FilesSitting, KeysAndThePasteAloneDoItAndNothingIsWrittenOverUnasked) {
 
 TEST_F(FilesSitting, HasRoomWhereTheDesktopIsTwiceAsLarge) {
   Sitting sitting({"sphere"}, {1440, 1000}, 2);
-  sitting.wait_for(" still", sitting.wait_for(" rest "));
+  wait_for_rest(sitting, 0);
   open(sitting);
   const std::size_t before = sitting.now();
   sitting.type(shots_.string());
