@@ -48,7 +48,7 @@ Interface::Interface(MainWindow& window, Studio& studio)
       studio_(studio),
       drawings_(studio, MainWindow::gl_function),
       nodes_(studio.session()),
-      file_dialog_(MainWindow::wake) {
+      file_dialog_(Desktop::wake) {
   const Kept files = kept_files();
   sizes_ = read_pane_sizes(text_in(files.panes));
   studio_.show_nodes = sizes_.shows_nodes;

@@ -206,9 +206,10 @@ void FileDialog::show_name(Studio& studio, float width) {
     put(name_, browser_.text());
     reloads_ = true;
   }
+  const bool nobodys = !ImGui::IsAnyItemActive();
   ImGui::SetNextItemWidth(width);
   const char* hint = browser_.question().saves ? "name" : "a name to look for, or a path";
-  const bool entered = ImGui::InputTextWithHint(
+  bool entered = ImGui::InputTextWithHint(
       "##name", hint, name_, sizeof name_,
       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways,
       [](ImGuiInputTextCallbackData* data) { return static_cast<FileDialog*>(data->UserData)->edit(*data); },
@@ -219,6 +220,8 @@ void FileDialog::show_name(Studio& studio, float width) {
     browser_.type(name_, is_pasted());
     table_.follow();
   }
+  // Also where the field has not got the keys back yet.
+  entered |= nobodys && is_pressed(ImGuiKey_Enter, false);
   // One that is held down is no answer to what it brought up.
   if (entered && (browser_.overwrites().empty() || is_pressed(ImGuiKey_Enter, false))) take();
 }

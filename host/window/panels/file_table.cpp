@@ -148,9 +148,7 @@ FileTable::Doing FileTable::show(Trace& trace, FileBrowser& browser, vec2 size) 
       const FileEntry& entry = browser.rows()[std::size_t(i)];
       const ImVec2 at = ImGui::GetCursorScreenPos();
       ImGui::PushID(i);
-      if (ImGui::Selectable("##row", browser.chosen() == std::size_t(i),
-                            ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups,
-                            {0.0f, height})) {
+      if (list_row("##row", browser.chosen() == std::size_t(i), height)) {
         doing.clicked = std::size_t(i);
         doing.twice = ImGui::IsMouseDoubleClicked(0);
       }

@@ -41,8 +41,7 @@ PlaceList::Click PlaceList::show_place(Trace& trace, const Place& place, const f
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight() + scaled(7);
   ImGui::PushID(place.folder.c_str());
-  const bool pressed = ImGui::Selectable("##place", place.folder == here,
-                                         ImGuiSelectableFlags_DontClosePopups, {0.0f, height});
+  const bool pressed = list_row("##place", place.folder == here, height);
   ImGui::PopID();
   note_item(trace, "place " + place.label);
   const bool hovered = ImGui::IsItemHovered();
@@ -87,7 +86,7 @@ std::optional<fs::path> PlaceList::show(Trace& trace, const fs::path& here, vec2
   if (!bookmarks_.has(here)) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float height = ImGui::GetTextLineHeight() + scaled(7);
-    added = ImGui::Selectable("##add", false, ImGuiSelectableFlags_DontClosePopups, {0.0f, height});
+    added = list_row("##add", false, height);
     note_item(trace, "bookmark this folder");
     ImGui::GetWindowDrawList()->AddText(
         {at.x + scaled(16), std::round(at.y + (height - ImGui::GetTextLineHeight()) / 2)},

@@ -220,6 +220,15 @@ bool toggle(const char* label, bool on, const char* text, float width) {
   return pressed;
 }
 
+bool list_row(const char* id, bool chosen, float height) {
+  if (chosen) ImGui::PushStyleColor(ImGuiCol_HeaderHovered, ImGui::GetColorU32(ImGuiCol_HeaderActive));
+  const bool clicked = ImGui::Selectable(
+      id, chosen, ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups,
+      {0.0f, height});
+  if (chosen) ImGui::PopStyleColor();
+  return clicked;
+}
+
 void note_item(Trace& trace, const std::string& name) {
   const ImVec2 begin = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
   trace.item(name, vec2(begin.x, begin.y), vec2(size.x, size.y));

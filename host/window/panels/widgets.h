@@ -48,6 +48,10 @@ bool toggle(const char* label, bool on, const char* help, float width = 0.0f);
 /// The width that a button with that label has. [points]
 float button_width(const char* label);
 
+/// A row of a list, as wide as there is room, that stays marked under the pointer; what stands in it is the
+/// caller's to draw. Whether it was clicked, also for the second time.
+bool list_row(const char* id, bool chosen, float height);
+
 /// Tells the trace where the last widget is.
 void note_item(Trace& trace, const std::string& name);
 

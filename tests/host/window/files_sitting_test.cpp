@@ -86,11 +86,12 @@ TEST_F(FilesSitting, ABookmarkLeadsToAVolumeWhoseGridsAreChosenFromAList) {
   sitting.item("grid density");
   const ivec2 other = sitting.middle("grid temperature");
   sitting.move(other);
+  sitting.wait_for_mouse(other, 0);
   sitting.wait_for(" still", sitting.now());
   sitting.keep("files-grids.png");
   sitting.click(other);
-  sitting.wait_for("ran setAttr medium_file.grid", before);
-  wait_for_rest(sitting, before);
+  const std::size_t chosen = sitting.wait_for("ran setAttr medium_file.grid \"temperature\"", before);
+  sitting.wait_for(" picture ", chosen);
   sitting.keep("files-grid-chosen.png");
   // A name can still be typed.
   sitting.click(sitting.middle("medium_file.grid") - ivec2(20, 0));
@@ -99,7 +100,7 @@ TEST_F(FilesSitting, ABookmarkLeadsToAVolumeWhoseGridsAreChosenFromAList) {
   sitting.stroke("Control_L+a");
   sitting.type("density");
   sitting.stroke("Return");
-  sitting.wait_for("ran setAttr medium_file.grid", before);
+  sitting.wait_for("ran setAttr medium_file.grid \"density\"", before);
 }
 
 TEST_F(FilesSitting, KeysAndThePasteAloneDoItAndNothingIsWrittenOverUnasked) {
@@ -131,7 +132,7 @@ TEST_F(FilesSitting, KeysAndThePasteAloneDoItAndNothingIsWrittenOverUnasked) {
   sitting.stroke("Control_L+a");
   sitting.stroke("Control_L+x");
   sitting.stroke("Control_L+v");
-  sitting.wait_for("folder " + shots_.string() + " lists", before);
+  sitting.wait_for(" still", sitting.wait_for("folder " + shots_.string() + " lists", before));
   sitting.keep("files-pasted.png");
   before = sitting.now();
   sitting.stroke("Return");
