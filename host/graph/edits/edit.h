@@ -58,7 +58,8 @@ struct SetParent {
 struct SetSelection {
   std::vector<NodeId> nodes;  // in the order of selection
 };
-/// What a scene file says of a type beyond what is known of it here. Under the name "": of the scene itself.
+/// What a scene file says of a type beyond what is known of it here. Under the name "": of the scene itself;
+/// under "requires NAME": of a plug-in that it needs in a newer version than any type says.
 struct KeptType {
   int version = 1;                     // of the type in the file
   std::string plugin, plugin_version;  // that it needs

@@ -133,7 +133,8 @@ std::vector<NodeId> Editor::duplicate(const std::vector<NodeId>& nodes, bool wit
   for (const NodeId id : originals) {
     Node copy = *graph_.find(id);
     copy.inputs.clear();
-    if (const auto parent = copies.find(copy.parent); parent != copies.end()) copy.parent = parent->second;
+    for (NodeId* above : {&copy.parent, &copy.kept_parent})
+      if (const auto parent = copies.find(*above); parent != copies.end()) *above = parent->second;
     copies.emplace(id, add_node(std::move(copy)));
   }
   for (const NodeId id : originals) {
@@ -155,6 +156,10 @@ std::vector<NodeId> Editor::duplicate(const std::vector<NodeId>& nodes, bool wit
 void Editor::set_parent(const std::vector<NodeId>& nodes, NodeId parent) {
   const History::Scope scope(history_, "parent");
   for (const NodeId id : nodes) {
+    if (graph_.find(id)->kept_parent && (!parent || graph_.find(id)->type->spec().hierarchical)) {
+      keep_parent(id, {});
+      if (!graph_.find(id)->type->spec().hierarchical) continue;
+    }
     const Node& node = *graph_.find(id);
     if (!node.type->spec().hierarchical)
       throw GraphError(node.name + " (" + node.type->name() + ") has no place in the transform hierarchy");
@@ -172,6 +177,32 @@ void Editor::set_parent(const std::vector<NodeId>& nodes, NodeId parent) {
     }
     history_.perform(SetParent{id, parent});
   }
+}
+
+void Editor::keep_parent(NodeId id, NodeId parent) {
+  if (graph_.find(id)->kept_parent == parent) return;
+  Node node = *graph_.find(id);
+  node.kept_parent = parent;
+  history_.perform(ReplaceNode{std::make_shared<const Node>(std::move(node))});
+}
+
+std::string Editor::place(NodeId id, NodeId parent) {
+  const History::Scope scope(history_, "parent");
+  const auto problem = [&](const Node& wrong, const char* why) {
+    return wrong.name + " (" + wrong.type->name() + ") " + why + ": that " + graph_.find(id)->name +
+           " stands under " + graph_.find(parent)->name + " is kept in the scene and moves nothing";
+  };
+  if (!graph_.find(id)->type->spec().hierarchical) {
+    keep_parent(id, parent);
+    return problem(*graph_.find(id), "has no place in the transform hierarchy");
+  }
+  NodeId nearest = parent;
+  while (nearest && !graph_.find(nearest)->type->spec().holds_children)
+    nearest = graph_.find(nearest)->parent;
+  set_parent({id}, nearest);
+  if (nearest == parent) return "";
+  keep_parent(id, parent);
+  return problem(*graph_.find(parent), "cannot be a parent");
 }
 
 void Editor::set_kept(NodeId id, std::vector<KeptLine> kept) {

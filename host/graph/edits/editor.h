@@ -31,6 +31,10 @@ class Editor {
   std::vector<NodeId> duplicate(const std::vector<NodeId>& nodes, bool with_inputs = false);
   /// parent: 0 for the top.
   void set_parent(const std::vector<NodeId>& nodes, NodeId parent);
+  /// Puts a node under another one as a scene file has it. Where it can have no parent, or the other one no
+  /// children, that is kept for the next file and it stands as near as it can. Returns what is to be said of
+  /// that; empty where all is well. Throws GraphError where it would be under itself.
+  std::string place(NodeId node, NodeId parent);
 
   /// Sets an attribute, an element or a component. An equal value changes nothing. Returns false where the
   /// value was out of the hard range and was clamped.
@@ -63,6 +67,7 @@ class Editor {
 
  private:
   void check_version(const NodeType& type);
+  void keep_parent(NodeId node, NodeId parent);
   void connect_one(const Plug& source, Plug destination, bool replace);
   void set_stored(const Plug& plug, std::optional<Value> value);
   void disconnect_all(NodeId node);

@@ -74,7 +74,20 @@ KeptType NodeReader::kept() const {
 }
 
 bool NodeReader::keeps_anything() const {
-  return type_->is_unknown() || section_.version > type_->version() || !unknown_lines_.empty();
+  const NodeTypeSpec& here = type_->spec();
+  const bool of_newer_plugin = section_.plugin == here.plugin && version_numbers(section_.plugin_version) >
+                                                                     version_numbers(here.plugin_version);
+  return type_->is_unknown() || section_.version > type_->version() || of_newer_plugin ||
+         !unknown_lines_.empty();
+}
+
+std::optional<LinePlace> place_in(const Node& node, const std::string& path, bool lock) {
+  try {
+    const Plug plug = Graph::plug(node, path);
+    return LinePlace{lock, plug.attribute, plug.element, plug.component};
+  } catch (const GraphError&) {
+    return std::nullopt;
+  }
 }
 
 void NodeReader::migrate(const std::string& name, StoredAttributes& stored) const {
@@ -93,6 +106,45 @@ void NodeReader::migrate(const std::string& name, StoredAttributes& stored) cons
     }
 }
 
+namespace {
+
+// Where the lines of a node stand, found out once anybody asks.
+class Places {
+ public:
+  Places(const Node& node, const std::vector<SceneLine>& lines) : node_(node), lines_(lines) {}
+
+  LinePlace operator[](std::size_t index) {
+    if (places_.empty()) find();
+    return places_[index];
+  }
+
+ private:
+  void find() {
+    LinePlace last;
+    std::string path, rest;
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      const std::string_view line = lines_[i].text;
+      std::optional<LinePlace> own;
+      if (split_attribute(line, path, rest)) {
+        own = place_in(node_, path);
+      } else if (const std::size_t lock = line.find_first_not_of(" \t");
+                 lock != line.npos && line.substr(lock).starts_with("lock .")) {
+        own = place_in(node_, std::string(line.substr(lock + 6)), true);
+        if (!own && !last.lock) own = LinePlace{true};
+      }
+      last = own.value_or(last);
+      last.order = std::int32_t(i) + 1;
+      places_.push_back(last);
+    }
+  }
+
+  const Node& node_;
+  const std::vector<SceneLine>& lines_;
+  std::vector<LinePlace> places_;
+};
+
+}  // namespace
+
 NodeText NodeReader::read(const std::string& name, const std::vector<SceneLine>& lines, const WarnLine& warn,
                           const std::function<void(int, const std::string&)>& fail) const {
   NodeText result;
@@ -101,18 +153,31 @@ NodeText NodeReader::read(const std::string& name, const std::vector<SceneLine>&
   node.type = type_;
   node.schema = type_->schema();
   StoredAttributes stored;
-  std::map<std::string, SceneLine> line_of;  // by path, for messages and for keeping
+  Places places(node, lines);
+  std::map<std::string, std::size_t> line_of;       // by path: the index of the line
+  std::vector<std::size_t> connections, not_known;  // indices; not_known: lines of a newer version
   std::vector<AttributeSpec> added;
   std::string path, rest;
-  for (const SceneLine& line : lines) {
+  // The last of several lines about one thing counts.
+  const auto warn_of_two = [&](const std::string& what, int before, int now) {
+    warn(now, name + ": " + what + " is given a second time: this line counts" +
+                  (before ? ", not line " + std::to_string(before) : ""));
+  };
+  for (std::size_t index = 0; index < lines.size(); ++index) {
+    const SceneLine& line = lines[index];
     if (split_attribute(line.text, path, rest)) {
-      if (is_connection(rest)) {
-        result.links.connections.push_back({path, rest.substr(3), std::string(line.text), line.number});
-        if (type_->is_unknown()) node.kept.push_back({std::string(line.text), path, {}, rest.substr(3)});
-      } else if (type_->is_unknown()) {
+      if (type_->is_unknown() && !is_connection(rest)) {
         node.kept.push_back({std::string(line.text)});
-      } else if (line_of.emplace(path, line).second) {
-        stored.push_back({path, rest});
+      } else if (type_->is_unknown()) {
+        result.links.connections.push_back({path, rest.substr(3), std::string(line.text), line.number});
+        node.kept.push_back({std::string(line.text), path, {}, rest.substr(3)});
+      } else if (is_connection(rest)) {
+        connections.push_back(index);
+      } else if (const auto [first, alone] = line_of.emplace(path, index); alone) {
+        stored.push_back({path, ""});
+      } else {
+        warn_of_two("." + path, lines[first->second].number, line.number);
+        first->second = index;
       }
       continue;
     }
@@ -130,7 +195,7 @@ NodeText NodeReader::read(const std::string& name, const std::vector<SceneLine>&
       } else if (words[0].text == "lock" && words.size() == 2 && words[1].text.starts_with('.')) {
         result.links.locks.push_back({words[1].text.substr(1), "", std::string(line.text), line.number});
       } else if (newer_) {
-        node.kept.push_back({std::string(line.text)});
+        not_known.push_back(index);
       } else {
         throw GraphError("is no line of a node: " + shown(line.text));
       }
@@ -147,6 +212,32 @@ NodeText NodeReader::read(const std::string& name, const std::vector<SceneLine>&
     }
   }
 
+  for (StoredAttribute& attribute : stored) {
+    split_attribute(lines[line_of.at(attribute.path)].text, path, rest);
+    attribute.text = rest;
+  }
+  std::map<std::string, std::size_t> connected;  // by path: which of the links
+  for (const std::size_t index : connections) {
+    split_attribute(lines[index].text, path, rest);
+    const std::optional<LinePlace> own = place_in(node, path);
+    NodeLinks::Link link{path, rest.substr(3), std::string(lines[index].text), lines[index].number,
+                         own ? *own : places[index]};
+    // Each connection to an array takes an element of its own.
+    const bool array = own && own->element < 0 && (*node.schema)[own->attribute].array != no_attribute;
+    const auto [first, alone] = connected.emplace(path, result.links.connections.size());
+    if (alone || array) {
+      result.links.connections.push_back(std::move(link));
+      continue;
+    }
+    NodeLinks::Link& before = result.links.connections[first->second];
+    warn_of_two("the source of ." + path, before.number, link.number);
+    before = std::move(link);
+  }
+  for (const std::size_t index : not_known)
+    node.kept.push_back({std::string(lines[index].text), "", {}, "", places[index]});
+  for (auto& lock : result.links.locks)
+    lock.place = place_in(node, lock.path, true).value_or(LinePlace{true});
+
   const bool migrates = !type_->is_unknown() && section_.version < type_->version();
   if (migrates) {
     StoredAttributes defaults;
@@ -162,7 +253,8 @@ NodeText NodeReader::read(const std::string& name, const std::vector<SceneLine>&
     // What a migrator made stands in no line.
     std::string made;
     if (source == line_of.end()) made = "  ." + attribute.path + " " + attribute.text;
-    const SceneLine line = source == line_of.end() ? SceneLine{made, 0} : source->second;
+    const SceneLine line = source == line_of.end() ? SceneLine{made, 0} : lines[source->second];
+    const auto place = [&] { return source == line_of.end() ? LinePlace() : places[source->second]; };
     bool known = false;
     try {
       const Plug plug = Graph::plug(node, attribute.path);
@@ -170,8 +262,8 @@ NodeText NodeReader::read(const std::string& name, const std::vector<SceneLine>&
       const SchemaAttribute& found = (*node.schema)[plug.attribute];
       if (found.array != no_attribute && plug.element < 0) continue;  // default of an element
       if (found.spec.type == AttributeType::node) {
-        result.links.references.push_back(
-            {attribute.path, attribute.text, std::string(line.text), line.number});
+        result.links.references.push_back({attribute.path, attribute.text, std::string(line.text),
+                                           line.number, LinePlace{false, plug.attribute, plug.element, -1}});
         continue;
       }
       bool clamped = false;
@@ -179,15 +271,15 @@ NodeText NodeReader::read(const std::string& name, const std::vector<SceneLine>&
       if (clamped)
         warn(line.number, name + "." + attribute.path + " is out of its range (" + expectation(found.spec) +
                               ") and was set to " + write_value(found.spec, value));
-      if (found.array == no_attribute && value == found.spec.default_value)
-        values.emplace(std::pair(plug.attribute, plug.element), std::monostate());
-      else
-        values.emplace(std::pair(plug.attribute, plug.element), std::move(value));
+      if (found.array == no_attribute && value == found.spec.default_value) value = std::monostate();
+      const auto [set, alone] = values.insert_or_assign({plug.attribute, plug.element}, std::move(value));
+      // By an older name and by its own.
+      if (!alone && !migrates) warn_of_two("." + found.path, 0, line.number);
     } catch (const GraphError& error) {
       if (source == line_of.end() && migrates) continue;  // a default of an attribute that is no more
       warn(line.number,
            (known ? name + "." + attribute.path + " " : "") + error.what() + "; the line is kept as it is");
-      node.kept.push_back({std::string(line.text)});
+      node.kept.push_back({std::string(line.text), "", {}, "", place()});
     }
   }
   if (!migrates)
@@ -219,7 +311,7 @@ void finish_node(Editor& editor, NodeId id, const NodeLinks& links,
   bool resolved = false;
   const auto keep = [&](const NodeLinks::Link& link, const std::string& why) {
     warn(link.number, why + "; the line is kept as it is");
-    kept.push_back({link.line});
+    kept.push_back({link.line, "", {}, "", link.place});
   };
   for (const auto& reference : links.references) {
     try {
@@ -249,7 +341,7 @@ void finish_node(Editor& editor, NodeId id, const NodeLinks& links,
       continue;
     }
     if (source && graph.find(source)->type->is_unknown()) {
-      kept.push_back({"", connection.path, source, source_path});
+      kept.push_back({"", connection.path, source, source_path, connection.place});
       continue;
     }
     try {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,10 +19,11 @@ using WarnLine = std::function<void(int line, const std::string& message)>;
 /// What of a node can be read only when the others are there.
 struct NodeLinks {
   struct Link {
-    std::string path;  // of the attribute
-    std::string text;  // reference: the name; connection: NODE.ATTRIBUTE
-    std::string line;  // as it stands in the scene
-    int number;        // of it
+    std::string path;   // of the attribute
+    std::string text;   // reference: the name; connection: NODE.ATTRIBUTE
+    std::string line;   // as it stands in the scene
+    int number;         // of it
+    LinePlace place{};  // where it stays if it means nothing here
   };
   std::vector<Link> references, connections, locks;
 };
@@ -39,6 +41,9 @@ struct MigrationError : GraphError {
       : GraphError(message), type(std::move(of_type)) {}
   std::string type;
 };
+
+/// The place of a line about an attribute of the node; empty where it has none of that path.
+std::optional<LinePlace> place_in(const Node& node, const std::string& path, bool lock = false);
 
 /// Reads nodes of one type, given what the scene says of it.
 class NodeReader {

@@ -21,6 +21,25 @@ namespace {
 
 constexpr std::size_t max_warnings = 100;
 
+std::vector<RequiredPlugin> requirements_in(const SceneSections& scene) {
+  std::vector<RequiredPlugin> plugins;
+  for (const SceneLine& line : scene.requirements) {
+    const std::vector<Word> words = split_words(line.text);
+    plugins.push_back({words.at(1).text, words.size() > 2 ? words[2].text : ""});
+  }
+  return plugins;
+}
+
+// Of two scenes that say the same of a type or a plug-in, or nothing.
+KeptType newer_of(KeptType a, const KeptType& b) {
+  a.version = std::max(a.version, b.version);
+  if (version_numbers(a.plugin_version) < version_numbers(b.plugin_version)) {
+    a.plugin = b.plugin;
+    a.plugin_version = b.plugin_version;
+  }
+  return a;
+}
+
 class SceneReader {
  public:
   SceneReader(const std::string& name, const TypeRegistry& registry, Editor& editor,
@@ -38,6 +57,7 @@ class SceneReader {
     greet(scene);
     check_held_back();
     prepare_types(scene);
+    keep_requirements(scene);
     report_.nodes.reserve(scene.nodes.size());
     for (const NodeSection& section : scene.nodes) add_node(section, scene.is_newer());
     for (const Waiting& node : waiting_) finish(node);
@@ -96,12 +116,30 @@ class SceneReader {
                                       " of the type '" + section.name + "', here is " +
                                       std::to_string(type->version()));
       if (!reader.keeps_anything()) continue;
-      const KeptType kept = reader.kept();
+      KeptType kept = reader.kept();
       const auto before = editor_.graph().kept_types().find(section.name);
-      if (before != editor_.graph().kept_types().end() && before->second != kept)
-        spelled_out_.emplace(section.name, &section);  // two scenes, two sets of defaults
-      else
-        editor_.set_kept_type(section.name, kept);
+      if (before != editor_.graph().kept_types().end() && before->second.lines != kept.lines) {
+        spelled_out_.emplace(section.name, kept.lines);  // two scenes, two sets of defaults
+        continue;
+      }
+      if (before != editor_.graph().kept_types().end()) kept = newer_of(before->second, kept);
+      editor_.set_kept_type(section.name, std::move(kept));
+    }
+  }
+
+  // What a scene needs beyond what its types say stays what it needs.
+  void keep_requirements(const SceneSections& scene) {
+    for (const RequiredPlugin& plugin : requirements_in(scene)) {
+      const auto says_as_much = [&](const TypeSection& type) {
+        return type.plugin == plugin.name &&
+               version_numbers(type.plugin_version) >= version_numbers(plugin.version);
+      };
+      if (std::ranges::any_of(scene.types, says_as_much)) continue;
+      const std::string name = "requires " + plugin.name;
+      KeptType kept{1, plugin.name, plugin.version, {}};
+      const auto before = editor_.graph().kept_types().find(name);
+      if (before != editor_.graph().kept_types().end()) kept = newer_of(before->second, kept);
+      editor_.set_kept_type(name, std::move(kept));
     }
   }
 
@@ -131,11 +169,16 @@ class SceneReader {
     NodeText text = reader.read(section.name, section.lines, warn,
                                 [this](int line, const std::string& message) { fail(line, message); });
     if (const auto spelled_out = spelled_out_.find(section.type); spelled_out != spelled_out_.end())
-      spell_out(*spelled_out->second, text.node);
+      spell_out(spelled_out->second, text.node);
     Node node = std::move(text.node);
     node.name = prefix_ + section.name;
     const NodeId id = editor_.add_node(std::move(node));
     by_name_[section.name] = id;
+    if (reader.type()->spec().unique)
+      if (const auto [first, alone] = read_unique_.emplace(reader.type().get(), id); !alone)
+        add_warning(section.line, section.name + " is another " + section.type +
+                                      ", of which a scene has one: " +
+                                      editor_.graph().find(first->second)->name + ", the first, counts");
     report_.nodes.push_back(id);
     Waiting waiting{&section, id, std::move(text.links)};
     // Most refer to nodes before them: at once, while the node is at hand, costs less than a second round.
@@ -145,17 +188,17 @@ class SceneReader {
       waiting_.push_back(std::move(waiting));
   }
 
-  // Gives a node of an unknown type the defaults that its scene leaves to the type's section.
-  static void spell_out(const TypeSection& section, Node& node) {
+  // Gives a node what its scene leaves to the type's section and is not known here.
+  static void spell_out(const std::vector<std::string>& lines, Node& node) {
     const auto path_of = [](std::string_view line) {
       const std::size_t begin = line.find('.'), end = line.find(' ', begin);
       return begin == line.npos ? line : line.substr(begin, end - begin);
     };
     std::vector<KeptLine> missing;
-    for (const SceneLine& line : section.lines) {
+    for (const std::string& line : lines) {
       bool there = false;
-      for (const KeptLine& kept : node.kept) there = there || path_of(kept.text) == path_of(line.text);
-      if (!there) missing.push_back({std::string(line.text)});
+      for (const KeptLine& kept : node.kept) there = there || path_of(kept.text) == path_of(line);
+      if (!there) missing.push_back({line});
     }
     node.kept.insert(node.kept.begin(), missing.begin(), missing.end());
   }
@@ -193,7 +236,8 @@ class SceneReader {
     const NodeId parent = node_of(section.parent);
     if (!parent) fail(section.line, "there is no node " + shown(section.parent));
     try {
-      editor_.set_parent({id}, parent);
+      if (const std::string problem = editor_.place(id, parent); !problem.empty())
+        add_warning(section.line, problem);
     } catch (const GraphError& error) {
       fail(section.line, error.what());
     }
@@ -221,9 +265,10 @@ class SceneReader {
   const std::string prefix_;
   const std::map<std::string, std::string>& held_back_;  // types whose nodes cannot be migrated, and why
   std::map<const NodeType*, NodeId> own_;                // of unique types, before the scene was read
+  std::map<const NodeType*, NodeId> read_unique_;        // likewise, of the scene
   SceneReport report_;
   std::map<std::string, NodeReader> readers_;
-  std::map<std::string, const TypeSection*> spelled_out_;
+  std::map<std::string, std::vector<std::string>> spelled_out_;  // by type: lines of its section
   FlatMap<std::string_view, NodeId> by_name_;
   std::vector<Waiting> waiting_;
   std::size_t hidden_warnings_ = 0;
@@ -246,12 +291,7 @@ SceneReport read_scene(std::string_view text, const std::string& name, const Typ
 }
 
 std::vector<RequiredPlugin> required_plugins(std::string_view text, const std::string& name) {
-  std::vector<RequiredPlugin> plugins;
-  for (const SceneLine& line : read_sections(text, name).requirements) {
-    const std::vector<Word> words = split_words(line.text);
-    plugins.push_back({words.at(1).text, words.size() > 2 ? words[2].text : ""});
-  }
-  return plugins;
+  return requirements_in(read_sections(text, name));
 }
 
 void compare_version(const RequiredPlugin& required, const std::string& version, const std::string& name,

@@ -59,7 +59,12 @@ void forget_data(Editor& editor, const std::string& data_type) {
       const Plug plug{id, stored.attribute, stored.element, -1};
       const std::string text =
           write_value((*found->schema)[stored.attribute].spec, stored.value, graph.names());
-      if (!text.empty()) kept.push_back({"  ." + Graph::path_of(*found->schema, plug) + " " + text});
+      if (!text.empty())
+        kept.push_back({"  ." + Graph::path_of(*found->schema, plug) + " " + text,
+                        "",
+                        {},
+                        "",
+                        LinePlace{false, plug.attribute, plug.element, -1}});
       plugs.push_back(plug);
     }
     if (plugs.empty()) continue;

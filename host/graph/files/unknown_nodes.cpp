@@ -22,22 +22,21 @@ std::vector<NodeId> nodes_of(const Graph& graph, const std::string& type, bool u
   return result;
 }
 
-// As an unknown one a node may have been put where its type has no place.
-void leave_hierarchy(Editor& editor, NodeId id, const NodeTypeSpec& type,
-                     std::vector<std::string>& warnings) {
+// Puts nodes where their scene has them, now that types have come or gone. Returns what is to be said of
+// those that cannot stand where they did.
+std::vector<std::string> settle(Editor& editor) {
   const Graph& graph = editor.graph();
-  const Node& node = *graph.find(id);
-  const NodeId above = type.hierarchical ? node.parent : NodeId();
-  if (!type.holds_children && !graph.children(id).empty()) {
-    warnings.push_back(node.name + " (" + type.name + ") cannot be a parent: what is under it moves up");
-    const std::set<NodeId> children = graph.children(id);
-    editor.set_parent({children.begin(), children.end()}, above);
+  std::vector<std::string> problems;
+  for (const Node* node : graph.nodes()) {
+    const bool kept = graph.find(node->kept_parent) != nullptr;
+    const NodeId wanted = kept ? node->kept_parent : node->parent;
+    if (!wanted) continue;
+    const bool can = node->type->spec().hierarchical && graph.find(wanted)->type->spec().holds_children;
+    if (can != kept) continue;
+    if (std::string problem = editor.place(node->id, wanted); !problem.empty())
+      problems.push_back(std::move(problem));
   }
-  if (above != node.parent) {
-    warnings.push_back(node.name + " (" + type.name +
-                       ") has no place in the transform hierarchy: it leaves its parent");
-    editor.set_parent({id}, above);
-  }
+  return problems;
 }
 
 }  // namespace
@@ -52,6 +51,8 @@ std::vector<std::string> revive_nodes(Editor& editor, const NodeTypePtr& type) {
   if (const auto found = graph.kept_types().find(type->name()); found != graph.kept_types().end()) {
     before = found->second;
     section.version = before.version;
+    section.plugin = before.plugin;
+    section.plugin_version = before.plugin_version;
     section.lines = lines_of(before.lines);
   }
   const NodeReader reader(type, section, true);
@@ -74,11 +75,16 @@ std::vector<std::string> revive_nodes(Editor& editor, const NodeTypePtr& type) {
     return {error.what()};
   }
   editor.set_kept_type(type->name(), reader.keeps_anything() ? std::optional(reader.kept()) : std::nullopt);
-  for (const NodeId id : nodes) leave_hierarchy(editor, id, type->spec(), warnings);
   for (NodeText& text : read) {
-    text.node.parent = graph.find(text.node.id)->parent;
+    const NodeId id = text.node.id, parent = graph.find(id)->parent;
+    const bool leaves = parent && !type->spec().hierarchical;
+    if (leaves) editor.set_parent({id}, {});
+    text.node.parent = leaves ? NodeId() : parent;
+    text.node.kept_parent = graph.find(id)->kept_parent;
     editor.replace_node(std::move(text.node));
+    if (leaves) warnings.push_back(editor.place(id, parent));
   }
+  for (std::string& problem : settle(editor)) warnings.push_back(std::move(problem));
   for (std::size_t i = 0; i < nodes.size(); ++i) finish_node(editor, nodes[i], read[i].links, node_of, warn);
   // Others that were waiting for one of these.
   for (const Node* node : graph.nodes()) {
@@ -89,14 +95,22 @@ std::vector<std::string> revive_nodes(Editor& editor, const NodeTypePtr& type) {
       const Node* source = kept.source ? graph.find(kept.source) : nullptr;
       if (source && !source->type->is_unknown())
         waiting.connections.push_back({kept.path, source->name + "." + kept.source_path,
-                                       "  ." + kept.path + " <- " + source->name + "." + kept.source_path,
-                                       0});
+                                       "  ." + kept.path + " <- " + source->name + "." + kept.source_path, 0,
+                                       kept.place});
       else
         rest.push_back(kept);
     }
     if (waiting.connections.empty()) continue;
     const NodeId id = node->id;
     editor.set_kept(id, std::move(rest));
+    // What was locked when it was driven is both again.
+    for (const NodeLinks::Link& link : waiting.connections) {
+      const std::optional<LinePlace> place = place_in(*graph.find(id), link.path);
+      if (!place || !graph.find(id)->is_locked(place->attribute, place->element)) continue;
+      const Plug plug{id, place->attribute, place->element, -1};
+      editor.lock(plug, false);
+      waiting.locks.push_back({Graph::path_of(*graph.find(id)->schema, plug), "", "", 0});
+    }
     finish_node(editor, id, waiting, node_of, warn);
   }
   return warnings;
@@ -109,6 +123,8 @@ void forget_type(Editor& editor, const NodeTypePtr& type) {
   KeptType kept{type->version(), type->spec().plugin, type->spec().plugin_version, type_lines(*type)};
   if (const auto before = graph.kept_types().find(type->name()); before != graph.kept_types().end()) {
     kept.version = std::max(kept.version, before->second.version);
+    if (version_numbers(before->second.plugin_version) > version_numbers(kept.plugin_version))
+      kept.plugin_version = before->second.plugin_version;
     kept.lines.insert(kept.lines.end(), before->second.lines.begin(), before->second.lines.end());
   }
   // First what the nodes drive becomes lines of those that are driven, ...
@@ -117,8 +133,10 @@ void forget_type(Editor& editor, const NodeTypePtr& type) {
       const NodeId driven_id = connection.destination.node;
       const Node& driven = *graph.find(driven_id);
       std::vector<KeptLine> lines = driven.kept;
-      lines.push_back({"", Graph::path_of(*driven.schema, connection.destination), id,
-                       Graph::path_of(*graph.find(id)->schema, connection.source)});
+      const Plug& to = connection.destination;
+      lines.push_back({"", Graph::path_of(*driven.schema, to), id,
+                       Graph::path_of(*graph.find(id)->schema, connection.source),
+                       LinePlace{false, to.attribute, to.element, to.component}});
       editor.history().perform(SetInput{connection.destination, std::nullopt});
       editor.set_kept(driven_id, std::move(lines));
     }
@@ -130,6 +148,7 @@ void forget_type(Editor& editor, const NodeTypePtr& type) {
     copy.id = node.id;
     copy.name = node.name;
     copy.parent = node.parent;
+    copy.kept_parent = node.kept_parent;
     copy.type = unknown;
     copy.schema = unknown->schema();
     const std::vector<std::string> texts = node_lines(graph, node);
@@ -150,6 +169,7 @@ void forget_type(Editor& editor, const NodeTypePtr& type) {
         [](int, const std::string&) {});
   }
   editor.set_kept_type(type->name(), std::move(kept));
+  settle(editor);
 }
 
 }  // namespace plinian::graph

@@ -12,6 +12,7 @@ namespace plinian::graph {
 
 namespace {
 
+constexpr std::int32_t largest_element = 1'000'000'000;
 constexpr std::string_view axis_letters = "xyzw", colour_letters = "rgba";
 
 std::string_view component_letters(AttributeType type) {
@@ -66,7 +67,16 @@ Plug Graph::plug(std::string_view name) const {
   const std::size_t dot = name.find('.');
   if (dot == name.npos || dot == 0)
     throw GraphError(shown(name) + " names no attribute: write NODE.ATTRIBUTE");
-  return plug(get(name.substr(0, dot)), name.substr(dot + 1));
+  const Node& node = get(name.substr(0, dot));
+  if (node.type->is_unknown()) {
+    const auto kept = kept_types_.find(node.type->name());
+    const std::string plugin = kept == kept_types_.end() ? "" : kept->second.plugin;
+    throw GraphError(
+        "node '" + node.name + "' (" + node.type->name() + ") has no attribute " +
+        shown(std::string(name.substr(dot + 1))) + ": its type is not known here" +
+        (plugin.empty() ? "" : "; the plug-in '" + plugin + "' brings it: loadPlugin " + plugin));
+  }
+  return plug(node, name.substr(dot + 1));
 }
 
 Plug Graph::plug(const Node& node, std::string_view path) {
@@ -82,7 +92,11 @@ Plug Graph::plug(const Node& node, std::string_view path) {
     const char* first = plain.data() + open + 1;
     const char* last = close == plain.npos ? first : plain.data() + close;
     const auto [end, error] = std::from_chars(first, last, plug.element);
-    if (error != std::errc() || end != last || plug.element < 0 || plug.element > 1'000'000'000)
+    const bool large = error == std::errc::result_out_of_range || plug.element > largest_element;
+    if (end == last && first != last && large)
+      return fail("has too large a number: the last element there can be is [" +
+                  std::to_string(largest_element) + "]");
+    if (error != std::errc() || end != last || plug.element < 0)
       return fail("is no attribute: an element is written [0], [1], ...");
     array_length = open;
     plain.erase(open, close - open + 1);

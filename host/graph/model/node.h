@@ -24,12 +24,23 @@ struct Input {
   Plug source;
 };
 
+/// Where a kept line stands among those that are understood: behind all of them that come no later. Of a line
+/// about an attribute that there is it is that attribute's own place, else that of the line before it.
+struct LinePlace {
+  bool lock = false;  // among the locks, which stand behind all values
+  AttributeIndex attribute = no_attribute;
+  std::int32_t element = -1, component = -1;
+  std::int32_t order = 0;  // among lines of one place; 0: understood
+  auto operator<=>(const LinePlace&) const = default;
+};
+
 /// A line of a scene file that nothing here understands, kept word for word.
 struct KeptLine {
-  std::string text;         // the whole line; unused for a connection
-  std::string path;         // connection: the attribute of this node ...
-  NodeId source;            // ... the node it comes from (0: no connection)
-  std::string source_path;  // ... and that one's attribute
+  std::string text{};         // the whole line; unused for a connection
+  std::string path{};         // connection: the attribute of this node ...
+  NodeId source{};            // ... the node it comes from (0: no connection)
+  std::string source_path{};  // ... and that one's attribute
+  LinePlace place{};          // of a node whose type is known
 };
 
 struct Node {
@@ -38,6 +49,7 @@ struct Node {
   NodeTypePtr type;
   SchemaPtr schema;                 // the type's, and what addAttr added
   NodeId parent;                    // in the transform hierarchy; 0: at the top
+  NodeId kept_parent;               // that a scene file names and that it cannot have; 0: none
   std::vector<StoredValue> values;  // in order of attribute and element
   std::vector<Input> inputs;        // in order of attribute, element and component
   std::vector<Plug> locked;         // in order

@@ -49,6 +49,23 @@ TEST(SceneBadInput, EachMistakeHasItsLine) {
             "a.pln: ends too early, after line 2: the file was cut off");
 }
 
+TEST(SceneBadInput, OfALineGivenTwiceTheLastOneCountsAndThatIsSaid) {
+  TestScene scene;
+  const SceneReport report = read_scene(
+      "plinian scene 1.0\nnode every e\n  .weight 0.25\n  .count 7\n  .weight 0.75\n  .weight 1\n"
+      "node sum s\n  .a <- e.weight\n  .a 3\n  .weights <- e.weight\n  .weights <- e.count\n"
+      "  .a <- e.count\nend\n",
+      "a.pln", scene.registry, scene.editor);
+  EXPECT_EQ(report.warnings,
+            (std::vector<std::string>{
+                "a.pln:5: e: .weight is given a second time: this line counts, not line 3",
+                "a.pln:6: e: .weight is given a second time: this line counts, not line 5",
+                "a.pln:12: s: the source of .a is given a second time: this line counts, not line 8"}));
+  EXPECT_EQ(scene.value("e.weight"), Value(1.0f));
+  EXPECT_EQ(scene.graph.find("s")->inputs.at(0).source, scene.plug("e.count"));
+  EXPECT_EQ(scene.graph.find("s")->inputs.size(), 3u) << "an array takes an element for each";
+}
+
 TEST(SceneBadInput, AFileCutAtAnyLineIsRefusedAndSaysSo) {
   const std::string text = small_scene();
   int cuts = 0;

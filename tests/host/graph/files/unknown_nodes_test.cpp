@@ -1,6 +1,8 @@
 // A scene outlives the plug-ins that it was made with.
 #include "host/graph/files/unknown_nodes.h"
 
+#include <random>
+
 #include "host/graph/files/scene_reader.h"
 #include "host/graph/files/scene_writer.h"
 #include "tests/host/graph/test_scene.h"
@@ -51,7 +53,8 @@ TEST(UnknownNodes, ASceneWithoutItsPluginKeepsEveryLine) {
             "they are");
   EXPECT_EQ(write_scene(scene.graph), text);
   EXPECT_EQ(message_of([&] { scene.plug("p.density"); }),
-            "node 'p' (plume) has no attribute 'density', whose type plume is not known here");
+            "node 'p' (plume) has no attribute 'density': its type is not known here; the plug-in 'ashworks' "
+            "brings it: loadPlugin ashworks");
 }
 
 TEST(UnknownNodes, TheyFollowNewNamesAndLoseConnectionsToWhatIsDeleted) {
@@ -119,6 +122,129 @@ TEST(UnknownNodes, ImportingAnotherDefaultOfAnUnknownTypeSpellsItOut) {
   revive_nodes(scene.editor, scene.registry.get("plume"));
   EXPECT_EQ(scene.value("p.density"), Value(3.0f));
   EXPECT_EQ(scene.value("b:p.density"), Value(8.0f));
+}
+
+// Without its plug-in a node may be put anywhere; with it, the type may have no place there.
+std::string scene_with_plumes_anywhere() {
+  TestScene scene;
+  read_scene(scene_with_plume(), "a.pln", scene.registry, scene.editor);
+  scene.create("shape", "leaf", scene.graph.find("p")->id);
+  scene.editor.set_parent({scene.graph.find("q")->id}, scene.graph.find("leaf")->parent);
+  return write_scene(scene.graph);
+}
+
+NodeTypeSpec flat_plume() {
+  NodeTypeSpec flat = plume();
+  flat.hierarchical = false;
+  return flat;
+}
+
+const std::string no_place =
+    "p (plume) has no place in the transform hierarchy: that p stands under top is kept in the scene and "
+    "moves nothing";
+
+TEST(UnknownNodes, ATypeWithoutAPlaceKeepsWhereTheSceneHasItsNodes) {
+  const std::string text = scene_with_plumes_anywhere();
+  ASSERT_NE(text.find("node shape leaf under p\n"), std::string::npos) << text;
+  TestScene scene;
+  scene.registry.add(flat_plume());
+  const SceneReport report = read_scene(text, "a.pln", scene.registry, scene.editor);
+  ASSERT_EQ(report.warnings.size(), 3u);
+  EXPECT_EQ(report.warnings[0], "a.pln:5: " + no_place);
+  EXPECT_NE(report.warnings[1].find("p (plume) cannot be a parent: that leaf stands under p is kept"),
+            std::string::npos)
+      << report.warnings[1];
+  EXPECT_EQ(scene.value("p.density"), Value(4.0f)) << "it works all the same";
+  EXPECT_FALSE(scene.graph.find("p")->parent);
+  EXPECT_FALSE(scene.graph.find("leaf")->parent);
+  EXPECT_EQ(write_scene(scene.graph), text);
+  // Where it is put somewhere else, that is where it stands.
+  scene.editor.set_parent({scene.graph.find("leaf")->id}, scene.graph.find("top")->id);
+  scene.editor.set_parent({scene.graph.find("p")->id}, {});
+  const std::string moved = write_scene(scene.graph);
+  EXPECT_NE(moved.find("node shape leaf under top\n"), std::string::npos) << moved;
+  EXPECT_NE(moved.find("node plume p\n"), std::string::npos) << moved;
+  EXPECT_NE(moved.find("node plume q under p\n"), std::string::npos) << moved;
+}
+
+TEST(UnknownNodes, ATypeWithoutAPlaceThatComesAndGoesLosesNoPlaces) {
+  const std::string text = scene_with_plumes_anywhere();
+  TestScene scene;
+  read_scene(text, "a.pln", scene.registry, scene.editor);
+  const NodeTypePtr flat = scene.registry.add(flat_plume());
+  const std::vector<std::string> warnings = revive_nodes(scene.editor, flat);
+  ASSERT_EQ(warnings.size(), 3u);
+  EXPECT_EQ(warnings[0], no_place);
+  EXPECT_EQ(write_scene(scene.graph), text);
+  scene.registry.remove("plume");
+  forget_type(scene.editor, flat);
+  EXPECT_EQ(scene.graph.find("leaf")->parent, scene.graph.find("p")->id);
+  EXPECT_EQ(scene.graph.find("p")->parent, scene.graph.find("top")->id);
+  EXPECT_EQ(write_scene(scene.graph), text);
+  while (!scene.history.undo_names().empty()) scene.history.undo();
+  EXPECT_EQ(scene.graph.size(), 0u);
+}
+
+// A scene as anybody may have made it with the plug-in.
+std::string random_scene(std::mt19937& random) {
+  TestScene scene;
+  scene.registry.add(plume());
+  const auto chance = [&](unsigned of) { return random() % of == 0; };
+  for (const char* name : {"p", "q"}) scene.create("plume", name);
+  scene.create("every", "e");
+  scene.create("sum", "s");
+  scene.editor.add_attribute(scene.graph.find("e")->id, {.name = "own"});
+  const std::vector<std::string> driven = {"e.weight", "e.precise",   "e.axis.y",       "e.tint.r",
+                                           "e.size",   "e.points[2]", "e.key[4].value", "e.own",
+                                           "s.a",      "s.b",         "s.weights[7]",   "p.keys[3]"};
+  for (const std::string& name : driven)
+    if (chance(2)) scene.connect(chance(3) && name[0] != 's' ? "s.out" : chance(2) ? "p.out" : "q.out", name);
+  for (const auto& [name, value] : std::vector<std::pair<std::string, Value>>{
+           {"e.flag", true}, {"e.label", std::string("x")}, {"e.points[1]", 2.0}, {"e.key[4].time", 3.0}})
+    if (chance(2)) scene.set(name, value);
+  for (const char* name : {"e.count", "e.weight", "s.a"})
+    if (chance(3)) scene.editor.lock(scene.plug(name), true);
+  return write_scene(scene.graph);
+}
+
+TEST(UnknownNodes, WhateverTheyDriveTheSceneIsSavedAsItWas) {
+  std::mt19937 random(7);
+  int with_kept = 0;
+  for (int run = 0; run < 300; ++run) {
+    const std::string text = random_scene(random);
+    TestScene scene;
+    read_scene(text, "a.pln", scene.registry, scene.editor);
+    with_kept += !scene.graph.find("e")->kept.empty();
+    ASSERT_EQ(write_scene(scene.graph), text);
+    EXPECT_EQ(revive_nodes(scene.editor, scene.registry.add(plume())), std::vector<std::string>());
+    ASSERT_EQ(write_scene(scene.graph), text);
+    for (const Node* node : scene.graph.nodes()) EXPECT_TRUE(node->kept.empty()) << node->name;
+  }
+  EXPECT_GT(with_kept, 100);
+}
+
+TEST(UnknownNodes, LinesThatMeanNothingStayBetweenTheirNeighbours) {
+  TestScene scene;
+  scene.create("every", "e");
+  scene.set("e.flag", true);
+  scene.set("e.weight", 0.25);
+  scene.set("e.label", std::string("x"));
+  scene.editor.lock(scene.plug("e.count"), true);
+  std::string text = write_scene(scene.graph);
+  const auto put_before = [&](const std::string& line, const std::string& more) {
+    text.insert(text.find(line), more);
+  };
+  put_before("  .flag", "  .first 1\n");
+  put_before("  .weight", "  .second <- nobody.out\n  .third 2\n");
+  put_before("  .label", "  .mode nowhere\n");
+  put_before("  lock .count", "  .last \"a  b\"\n  lock .first\n");
+  TestScene other;
+  read_scene(text, "a.pln", other.registry, other.editor);
+  EXPECT_EQ(write_scene(other.graph), text);
+  // Also where the neighbours have gone.
+  other.editor.reset(other.plug("e.weight"));
+  EXPECT_NE(write_scene(other.graph).find("  .third 2\n  .mode nowhere\n  .label"), std::string::npos)
+      << write_scene(other.graph);
 }
 
 }  // namespace
