@@ -43,14 +43,14 @@ struct PluginManager::Library {
 PluginManager::PluginManager(graph::Session& session, std::vector<fs::path> folders)
     : session_(session), search_(std::move(folders)) {
   add_plugin_commands(session_.commands(), *this);
-  const auto hint = [this](const std::string& kind) {
-    return [this, kind](const std::string& name) {
-      return search_.hint_at(kind + name,
-                             [this](const std::string& plugin) { return libraries_.contains(plugin); });
-    };
+  const auto elsewhere = [this](const std::string& kind) {
+    const auto is_loaded = [this](const std::string& plugin) { return libraries_.contains(plugin); };
+    return graph::NamesElsewhere{
+        [=, this](const std::string& name) { return search_.hint_at(kind + name, is_loaded); },
+        [=, this] { return search_.names_of(kind, is_loaded); }};
   };
-  session_.types().hint = hint("node:");
-  session_.commands().hint = hint("command:");
+  session_.types().elsewhere = elsewhere("node:");
+  session_.commands().elsewhere = elsewhere("command:");
   session_.on_requires = [this](const std::string& name) {
     try {
       if (const auto loaded = libraries_.find(name); loaded != libraries_.end())
@@ -67,7 +67,7 @@ PluginManager::PluginManager(graph::Session& session, std::vector<fs::path> fold
 
 PluginManager::~PluginManager() {
   session_.on_requires = nullptr;
-  session_.types().hint = session_.commands().hint = nullptr;
+  session_.types().elsewhere = session_.commands().elsewhere = {};
   graph::drop_unwritable_data(session_.editor());
   session_.history().forget_steps();
   while (!libraries_.empty()) remove(*libraries_.begin()->second);

@@ -28,28 +28,46 @@ PluginSearch::PluginSearch(const std::vector<fs::path>& folders) {
   folders_.insert(folders_.end(), folders.begin(), folders.end());
 }
 
-std::optional<PluginSearch::Bringer> PluginSearch::find_bringer(
-    const std::string& what, const std::function<bool(const std::string&)>& is_loaded) const {
+void PluginSearch::search(const std::function<bool(const std::string&)>& is_loaded,
+                          const std::function<bool(const PluginDescription&, const fs::path&)>& look) const {
   for (const fs::path& folder : folders_) {
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(folder, error)) {
-      const fs::path& path = entry.path();
-      if (path.extension() != ".so") continue;
+      if (entry.path().extension() != ".so") continue;
       try {
-        const PluginDescription found = read_description(path.string());
-        const auto& brings = found.registers;
-        if (is_loaded(found.name) || !abi_problem(found).empty() ||
-            std::find(brings.begin(), brings.end(), what) == brings.end())
-          continue;
-        std::string name = path.stem().string();
-        if (!fs::exists(folder / (name + ".so"), error) || find(name) != path.string()) name = path.string();
-        return Bringer{found.name, name};
+        const PluginDescription found = read_description(entry.path().string());
+        if (!is_loaded(found.name) && abi_problem(found).empty() && look(found, entry.path())) return;
       } catch (const GraphError&) {
         // No plug-in.
       }
     }
   }
-  return std::nullopt;
+}
+
+std::optional<PluginSearch::Bringer> PluginSearch::find_bringer(
+    const std::string& what, const std::function<bool(const std::string&)>& is_loaded) const {
+  std::optional<Bringer> bringer;
+  search(is_loaded, [&](const PluginDescription& found, const fs::path& path) {
+    if (std::ranges::find(found.registers, what) == found.registers.end()) return false;
+    std::string name = path.stem().string();
+    std::error_code error;
+    if (!fs::exists(path.parent_path() / (name + ".so"), error) || find(name) != path.string())
+      name = path.string();
+    bringer = Bringer{found.name, name};
+    return true;
+  });
+  return bringer;
+}
+
+std::vector<std::string> PluginSearch::names_of(
+    const std::string& kind, const std::function<bool(const std::string&)>& is_loaded) const {
+  std::vector<std::string> names;
+  search(is_loaded, [&](const PluginDescription& found, const fs::path&) {
+    for (const std::string& what : found.registers)
+      if (what.starts_with(kind)) names.push_back(what.substr(kind.size()));
+    return false;
+  });
+  return names;
 }
 
 std::string PluginSearch::hint_at(const std::string& what,

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "host/sdk/plugin_description.h"
+
 namespace plinian::sdk {
 
 class PluginSearch {
@@ -28,8 +30,15 @@ class PluginSearch {
   /// where none does.
   std::string hint_at(const std::string& what,
                       const std::function<bool(const std::string& plugin)>& is_loaded) const;
+  /// Names of a kind ("node:") that plug-ins bring that can be loaded and are not.
+  std::vector<std::string> names_of(const std::string& kind,
+                                    const std::function<bool(const std::string& plugin)>& is_loaded) const;
 
  private:
+  /// Calls with each plug-in that can be loaded and is not, until `look` returns true.
+  void search(const std::function<bool(const std::string& plugin)>& is_loaded,
+              const std::function<bool(const PluginDescription&, const std::filesystem::path&)>& look) const;
+
   std::vector<std::filesystem::path> folders_;
 };
 

@@ -36,10 +36,18 @@ void set_one(Session& session, const Plug& plug, std::span<const Word> words) {
   }
 }
 
-CommandResult set_attr(Session& session, const Arguments& arguments) {
+// What a pattern may mean.
+bool is_input(const Graph& graph, const Plug& plug) {
+  const AttributeSpec& spec = graph.attribute(plug).spec;
+  return !spec.output && !spec.read_only;
+}
+
+std::vector<Plug> matching_inputs(const Graph& graph, const std::vector<std::string>& patterns) {
+  return matching_plugs(graph, patterns, [&](const Plug& plug) { return is_input(graph, plug); });
+}
+
+void set_plug(Session& session, const Plug& plug, const std::vector<Word>& words) {
   const Graph& graph = session.graph();
-  const Plug plug = graph.plug(arguments.text("plug"));
-  const std::vector<Word>& words = arguments.words("value");
   const std::vector<Plug> leaves = leaf_plugs(graph, plug);
   const bool compound = graph.attribute(plug).spec.type == AttributeType::compound;
   if (!compound) {
@@ -52,6 +60,11 @@ CommandResult set_attr(Session& session, const Arguments& arguments) {
     throw GraphError(graph.name_of(plug) + " expects " + std::to_string(leaves.size()) +
                      " values, one for each of its parts");
   }
+}
+
+CommandResult set_attr(Session& session, const Arguments& arguments) {
+  for (const Plug& plug : matching_inputs(session.graph(), {arguments.text("plug")}))
+    set_plug(session, plug, arguments.words("value"));
   return {};
 }
 
@@ -93,11 +106,49 @@ CommandResult get_attr(Session& session, const Arguments& arguments) {
 }
 
 CommandResult reset_attr(Session& session, const Arguments& arguments) {
-  for (const std::string& name : arguments.texts("plugs")) session.editor().reset(session.graph().plug(name));
+  for (const Plug& plug : matching_inputs(session.graph(), arguments.texts("plugs")))
+    session.editor().reset(plug);
   return {};
 }
 
+// What is missing in an attribute that is to be added, or contradicts itself; empty where all is well.
+std::string addition_problem(const Node& node, const AttributeSpec& spec, const Arguments& arguments) {
+  const std::string name = arguments.text("name");
+  if (!is_identifier(name)) return shown(name) + " cannot name an attribute: letters, digits and _";
+  if (node.schema->find(name) != no_attribute)
+    return node.name + " has an attribute " + shown(name) + " already";
+  if (spec.type == AttributeType::choice && spec.choices.empty())
+    return "an enum needs its choices: -choices off,low:10,high";
+  if (spec.type != AttributeType::choice && arguments.has("choices"))
+    return "-choices is for an enum: -type enum";
+  if (spec.type == AttributeType::data && spec.data_type.empty())
+    return "data need the type of what connects to it: -dataType NAME";
+  const auto above = [&](const char* low, const char* high) {
+    const auto from = arguments.number(low), to = arguments.number(high);
+    return from && to && *from > *to ? std::string("-") + low + " " + write_number(*from) + " lies above -" +
+                                           high + " " + write_number(*to)
+                                     : "";
+  };
+  const std::string range = above("min", "max");
+  return range.empty() ? above("softMin", "softMax") : range;
+}
+
+Value default_of(const AttributeSpec& spec, const Arguments& arguments, const NodeNames& names) {
+  const bool text = spec.type == AttributeType::string || spec.type == AttributeType::path;
+  const std::vector<Word> words = text ? arguments.words("default") : split_words(arguments.text("default"));
+  try {
+    bool clamped = false;
+    Value value = fitted(spec, read_value(spec, words, names), &clamped);
+    if (clamped)
+      throw GraphError(arguments.text("default") + " is out of its range (" + expectation(spec) + ")");
+    return value;
+  } catch (const GraphError& error) {
+    throw GraphError(std::string("addAttr: -default ") + error.what());
+  }
+}
+
 CommandResult add_attr(Session& session, const Arguments& arguments) {
+  const Node& node = session.graph().get(arguments.text("node"));
   std::vector<Word> words = {{arguments.text("type", "float"), false}, {arguments.text("name"), false}};
   const auto property = [&](const std::string& key, const std::string& value) {
     words.push_back({key, false});
@@ -109,20 +160,21 @@ CommandResult add_attr(Session& session, const Arguments& arguments) {
   for (const char* key : {"array", "hidden"})
     if (arguments.has(key)) property(key, "true");
   std::string path;
-  AttributeSpec spec = read_declaration(words, path);
-  if (arguments.has("default")) {
-    const bool text = spec.type == AttributeType::string || spec.type == AttributeType::path;
-    const std::vector<Word> value =
-        text ? arguments.words("default") : split_words(arguments.text("default"));
-    spec.default_value = read_value(spec, value, session.graph().names());
+  AttributeSpec spec;
+  try {
+    spec = read_declaration(words, path);
+  } catch (const GraphError& error) {
+    throw GraphError(std::string("addAttr: ") + error.what());
   }
-  const Node& node = session.graph().get(arguments.text("node"));
+  if (const std::string problem = addition_problem(node, spec, arguments); !problem.empty())
+    throw GraphError("addAttr: " + problem);
+  if (arguments.has("default")) spec.default_value = default_of(spec, arguments, session.graph().names());
   return {session.graph().name_of(session.editor().add_attribute(node.id, spec))};
 }
 
 CommandResult lock_attr(Session& session, const Arguments& arguments) {
-  for (const std::string& name : arguments.texts("plugs"))
-    session.editor().lock(session.graph().plug(name), !arguments.has("off"));
+  for (const Plug& plug : matching_inputs(session.graph(), arguments.texts("plugs")))
+    session.editor().lock(plug, !arguments.has("off"));
   return {};
 }
 
@@ -130,12 +182,15 @@ CommandResult lock_attr(Session& session, const Arguments& arguments) {
 
 void add_attribute_commands(CommandRegistry& commands) {
   using enum ArgumentKind;
-  commands.add({.name = "setAttr",
-                .help = "Sets an attribute, an element or a component.",
-                .parameters = {{"plug", plug, "node.attribute, with [element] and .x or .r"},
-                               {"value", value, "as the attribute spells it: 0.5, 1 0 0, ash, 35mm, \"text\"",
-                                false, true}},
-                .run = set_attr});
+  commands.add(
+      {.name = "setAttr",
+       .help = "Sets an attribute, an element or a component.",
+       .parameters = {{"plug", plug,
+                       "node.attribute, with [element] and .x or .r; both may be patterns with * and "
+                       "?"},
+                      {"value", value, "as the attribute spells it: 0.5, 1 0 0, ash, 35mm, \"text\"", false,
+                       true}},
+       .run = set_attr});
   commands.add({.name = "getAttr",
                 .help = "Answers with the value of an attribute, evaluated where it is driven.",
                 .parameters = {{"plug", plug,
@@ -146,28 +201,32 @@ void add_attribute_commands(CommandRegistry& commands) {
                 .run = get_attr});
   commands.add({.name = "resetAttr",
                 .help = "Puts attributes back to their defaults; elements of arrays cease to exist.",
-                .parameters = {{"plugs", plug, "node.attribute", false, true}},
+                .parameters = {{"plugs", plug, "node.attribute, or patterns as *.visibility", false, true}},
                 .run = reset_attr});
-  commands.add({.name = "addAttr",
-                .help = "Gives a node an attribute of its own.",
-                .parameters = {{"node", node, "its name"}, {"name", text, "of the attribute"}},
-                .flags = {{"type", "bool, int, float, double, enum, string, colour, ... (float)", text},
-                          {"default", "value that it begins with", value},
-                          {"min", "hard minimum", number},
-                          {"max", "hard maximum", number},
-                          {"softMin", "left end of the slider", number},
-                          {"softMax", "right end of the slider", number},
-                          {"choices", "of an enum: off,low:10,high", text},
-                          {"dataType", "of data: what connects to it", text},
-                          {"niceName", "as the interface shows it", text},
-                          {"help", "one sentence", text},
-                          {"unit", "of the value", text},
-                          {"array", "holds elements", {}},
-                          {"hidden", "is not shown", {}}},
-                .run = add_attr});
+  commands.add(
+      {.name = "addAttr",
+       .help = "Gives a node an attribute of its own.",
+       .parameters = {{"node", node, "its name"}, {"name", text, "of the attribute"}},
+       .flags = {{"type",
+                  "bool, int, float, double, enum, string, path, float2, float3, float4, colour, matrix, "
+                  "distance, angle, time, node, ramp or data (float)",
+                  text},
+                 {"default", "value that it begins with", value},
+                 {"min", "hard minimum", number},
+                 {"max", "hard maximum", number},
+                 {"softMin", "left end of the slider", number},
+                 {"softMax", "right end of the slider", number},
+                 {"choices", "of an enum: off,low:10,high", text},
+                 {"dataType", "of data: what connects to it", text},
+                 {"niceName", "as the interface shows it", text},
+                 {"help", "one sentence", text},
+                 {"unit", "of the value", text},
+                 {"array", "holds elements", {}},
+                 {"hidden", "is not shown", {}}},
+       .run = add_attr});
   commands.add({.name = "lockAttr",
                 .help = "Locks attributes: they can neither be set nor connected.",
-                .parameters = {{"plugs", plug, "node.attribute", false, true}},
+                .parameters = {{"plugs", plug, "node.attribute, or patterns as *.visibility", false, true}},
                 .flags = {{"off", "unlocks them", {}}},
                 .run = lock_attr});
 }

@@ -26,8 +26,12 @@ void check_word(const CommandSpec& spec, const std::string& name, ArgumentKind k
   if (kind != ArgumentKind::number && kind != ArgumentKind::integer) return;
   try {
     const double number = read_number(word.text);
+    constexpr double largest = 2147483647.0;
     if (kind == ArgumentKind::integer && number != std::floor(number))
       throw GraphError("expects an integer, not " + shown(word.text));
+    if (kind == ArgumentKind::integer && std::abs(number) > largest)
+      throw GraphError("expects an integer of at most " + write_number(largest) + ", not " +
+                       shown(word.text));
   } catch (const GraphError& error) {
     throw GraphError(spec.name + ": " + name + " " + error.what());
   }
@@ -94,6 +98,8 @@ Arguments parse_arguments(const CommandSpec& spec, const std::vector<Word>& word
     needed_later -= !parameter.optional;
     const std::size_t left = rest.size() - next;
     std::size_t take = left > needed_later ? (parameter.many ? left - needed_later : 1) : 0;
+    // Too few: those that are there are the first ones.
+    if (take == 0 && !parameter.optional && left > 0) take = 1;
     if (take == 0 && !parameter.optional)
       throw GraphError(spec.name + ": " + upper(parameter.name) + " is missing: " + usage(spec));
     if (take == 0) continue;
@@ -154,12 +160,17 @@ void CommandRegistry::add(CommandSpec spec) {
     throw GraphError("the command '" + name + "' is already registered");
 }
 
+void CommandRegistry::add_flags(const std::string& name, const std::vector<CommandFlag>& flags) {
+  std::vector<CommandFlag>& there = commands_.at(name).flags;
+  for (const CommandFlag& flag : flags)
+    if (std::ranges::none_of(there, [&](const CommandFlag& other) { return other.name == flag.name; }))
+      there.push_back(flag);
+}
+
 const CommandSpec& CommandRegistry::get(const std::string& name) const {
   const auto found = commands_.find(name);
   if (found != commands_.end()) return found->second;
-  const std::string source = hint ? hint(name) : "";
-  throw GraphError("unknown command " + shown(name) +
-                   (source.empty() ? did_you_mean(name, names()) : source));
+  throw GraphError("unknown command " + shown(name) + elsewhere.hint(name, names()));
 }
 
 std::vector<std::string> CommandRegistry::names() const {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "host/graph/types/names_elsewhere.h"
 #include "host/graph/values/words.h"
 
 namespace plinian::graph {
@@ -75,11 +76,13 @@ class CommandRegistry {
   /// Throws GraphError where the name is taken.
   void add(CommandSpec spec);
   void remove(const std::string& name) { commands_.erase(name); }
+  /// Gives a command more flags; those that it has stay as they are.
+  void add_flags(const std::string& name, const std::vector<CommandFlag>& flags);
   /// The command of that name. Throws GraphError with the nearest name.
   const CommandSpec& get(const std::string& name) const;
   std::vector<std::string> names() const;
-  /// Says, behind an error, where a command could come from that is not there; empty where nobody knows.
-  std::function<std::string(const std::string& name)> hint;
+  /// Commands that are not there and could be.
+  NamesElsewhere elsewhere;
 
  private:
   std::map<std::string, CommandSpec> commands_;

@@ -1,4 +1,6 @@
 // connectAttr, disconnectAttr, listConnections.
+#include <algorithm>
+
 #include "host/graph/commands/session.h"
 #include "host/graph/graph_error.h"
 
@@ -13,8 +15,38 @@ CommandResult connect_attr(Session& session, const Arguments& arguments) {
   return {};
 }
 
+// What one attribute and its parts drive of another and its parts.
+void disconnect_pair(Session& session, const std::string& source_name, const std::string& name) {
+  const Graph& graph = session.graph();
+  const Plug source = graph.plug(source_name);
+  bool found = false;
+  std::string drivers;
+  for (const Plug& leaf : leaf_plugs(graph, graph.plug(name))) {
+    const auto span = graph.find(leaf.node)->inputs_of(leaf.attribute, leaf.element);
+    for (const Input& input : std::vector<Input>(span.begin(), span.end())) {
+      if (leaf.component >= 0 && input.component >= 0 && input.component != leaf.component) continue;
+      const auto parts = leaf_plugs(graph, source);
+      const bool meant = input.source == source || std::ranges::count(parts, input.source);
+      if (!meant) {
+        drivers += (drivers.empty() ? "" : ", ") + graph.name_of(input.source);
+        continue;
+      }
+      found = true;
+      session.editor().history().perform(
+          SetInput{{leaf.node, input.attribute, input.element, input.component}, std::nullopt});
+    }
+  }
+  if (!found)
+    throw GraphError("disconnectAttr: " + source_name + " does not drive " + name +
+                     (drivers.empty() ? ", nor does anything else" : ", which is driven by " + drivers));
+}
+
 CommandResult disconnect_attr(Session& session, const Arguments& arguments) {
   const Graph& graph = session.graph();
+  if (arguments.has("destination")) {
+    disconnect_pair(session, arguments.text("plug"), arguments.text("destination"));
+    return {};
+  }
   const std::size_t before = session.graph().generation();
   session.editor().disconnect(graph.plug(arguments.text("plug")));
   if (graph.generation() == before) throw GraphError(arguments.text("plug") + " is not driven by anything");
@@ -61,10 +93,12 @@ void add_connection_commands(CommandRegistry& commands) {
                                 "node.attribute that is driven; an array takes the next element"}},
                 .flags = {{"force", "takes over what is driven by another already", {}}},
                 .run = connect_attr});
-  commands.add({.name = "disconnectAttr",
-                .help = "Breaks the connections into an attribute and its parts.",
-                .parameters = {{"plug", plug, "node.attribute that is driven"}},
-                .run = disconnect_attr});
+  commands.add(
+      {.name = "disconnectAttr",
+       .help = "Breaks the connections into an attribute and its parts.",
+       .parameters = {{"plug", plug, "node.attribute that is driven; or, in front of it, what drives it"},
+                      {"destination", plug, "then: that is driven by that one", true}},
+       .run = disconnect_attr});
   commands.add({.name = "listConnections",
                 .help = "Answers with a line for each connection of a node or an attribute.",
                 .parameters = {{"of", plug, "node or node.attribute"}},

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/files/atomic_file.h"
+#include "core/scene/nearest_word.h"
 #include "host/graph/commands/session.h"
 #include "host/graph/edits/editor.h"
 #include "host/graph/files/scene_writer.h"
@@ -31,8 +32,19 @@ CommandResult open(Session& session, const Arguments& arguments) {
   return {};
 }
 
+constexpr const char* scene_extension = ".plinian";
+
+// The name of a scene that is to be written: by it every command knows that it is one.
+std::string scene_name(const std::string& command, const std::string& file, const std::string& others = "") {
+  const std::string extension = std::filesystem::path(file).extension().string();
+  if (extension == scene_extension) return file;
+  if (extension.empty()) return file + scene_extension;
+  throw GraphError(command + ": " + file + ": the name of a scene ends in " + scene_extension + others);
+}
+
 CommandResult save(Session& session, const Arguments& arguments) {
-  session.save_scene(arguments.text("file"));
+  const std::string file = arguments.text("file");
+  session.save_scene(file.empty() ? file : scene_name("save", file));
   return {session.scene_path()};
 }
 
@@ -50,21 +62,61 @@ void put_into(Session& session, NodeId first, const std::string& name_space, Com
   }
 }
 
+// The namespace itself where nothing is in it yet, else with the lowest number behind it that makes it so:
+// what is imported is found together.
+std::string fresh_namespace(const Graph& graph, const std::string& wanted) {
+  const std::vector<const Node*> nodes = graph.nodes();
+  const auto is_there = [&](const std::string& name_space) {
+    return std::ranges::any_of(nodes,
+                               [&](const Node* node) { return node->name.starts_with(name_space + ":"); });
+  };
+  if (!is_there(wanted)) return wanted;
+  std::string base = wanted;
+  while (base.back() >= '0' && base.back() <= '9') base.pop_back();
+  int number = 1;
+  while (is_there(base + std::to_string(number))) ++number;
+  return base + std::to_string(number);
+}
+
+// A flag that means nothing for a file would be passed over in silence.
+void check_flags(const CommandSpec& import, const FileType* type, const Arguments& arguments) {
+  for (const CommandFlag& flag : import.flags) {
+    const std::string& name = flag.name;
+    const bool everywhere = name == "namespace" || name == "merge";
+    if (!arguments.has(name) || everywhere || (type && std::ranges::count(type->flags, name))) continue;
+    // Plug-ins are given what they were always given.
+    if (type && !type->plugin.empty() && name == "setup") continue;
+    throw GraphError("import: -" + name + " means nothing for " +
+                     (type ? "files of the type '" + type->name + "'" : "scenes") +
+                     (type && !type->flags.empty() ? ", which take -" + join(type->flags, ", -") : ""));
+  }
+}
+
 CommandResult import(Session& session, const Arguments& arguments) {
-  const std::string name_space = arguments.text("namespace");
+  std::string name_space = arguments.text("namespace");
   if (!name_space.empty() && !is_node_name(name_space))
     throw GraphError("import: " + shown(name_space) + " cannot be a namespace: letters, digits and _");
-  if (const FileType* type = session.file_types().find(arguments.text("file"))) {
-    if (!type->import_file)
-      throw GraphError("import: files of the type '" + type->name + "' can only be written");
-    const NodeId first = session.graph().new_id();
-    CommandResult answers = type->import_file(session, arguments);
-    if (!name_space.empty()) put_into(session, first, name_space, answers);
-    return answers;
-  }
-  if (const std::string file = arguments.text("file"); !std::filesystem::exists(file))
+  if (arguments.has("merge") && name_space.empty())
+    throw GraphError("import: -merge says what becomes of -namespace, which is not given");
+  const FileType* type = session.file_types().find(arguments.text("file"));
+  if (type && !type->import_file)
+    throw GraphError("import: files of the type '" + type->name + "' can only be written");
+  if (const std::string file = arguments.text("file"); !type && !std::filesystem::exists(file))
     throw GraphError(file + ": there is no such file" + session.file_types().nearest_word(file));
-  return names_of(session.graph(), session.import_scene(arguments.text("file"), name_space));
+  check_flags(session.commands().get("import"), type, arguments);
+  Arguments settled = arguments;
+  if (!name_space.empty() && !arguments.has("merge")) {
+    name_space = fresh_namespace(session.graph(), name_space);
+    if (name_space != arguments.text("namespace"))
+      session.note("import: the namespace " + arguments.text("namespace") + " is there already: " +
+                   arguments.text("file") + " goes into " + name_space + " (-merge puts it into that one)");
+    settled.set("namespace", {{name_space, false}});
+  }
+  if (!type) return names_of(session.graph(), session.import_scene(arguments.text("file"), name_space));
+  const NodeId first = session.graph().new_id();
+  CommandResult answers = type->import_file(session, settled);
+  if (!name_space.empty()) put_into(session, first, name_space, answers);
+  return answers;
 }
 
 // Nodes with what is under them, with the transforms above them, which say where they are, and where asked
@@ -79,6 +131,7 @@ std::vector<NodeId> exported_nodes(Session& session, const Arguments& arguments)
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Node& node = *graph.find(all[i]);
     add(node.parent);
+    add(graph.find(node.kept_parent) ? node.kept_parent : NodeId());
     if (!arguments.has("inputs")) continue;
     for (const Input& input : node.inputs) add(input.source.node);
     for (const KeptLine& kept : node.kept) add(kept.source);
@@ -115,10 +168,17 @@ CommandResult export_as(const FileType& type, Session& session, const Arguments&
 }
 
 CommandResult export_nodes(Session& session, const Arguments& arguments) {
-  const std::string file = arguments.text("file");
+  std::string file = arguments.text("file");
   const FileType* type = session.file_types().find(file);
+  std::string others;
+  for (const FileType* other : session.file_types().all())
+    if (other->export_file)
+      others += (others.empty() ? "; besides scenes there are: ." : ", .") + join(other->extensions, ", .");
   if (type && !type->export_file)
-    throw GraphError("export: files of the type '" + type->name + "' can only be read");
+    throw GraphError("export: files of the type '" + type->name +
+                     "' can only be read: the name of a scene ends in " + scene_extension + others);
+  if (!type) file = scene_name("export", file, others);
+  if (file != arguments.text("file")) session.note("export: writes " + file);
   const std::vector<NodeId> nodes = exported_nodes(session, arguments);
   try {
     if (type) return export_as(*type, session, arguments, nodes);
@@ -149,16 +209,19 @@ void add_file_commands(CommandRegistry& commands) {
                 .help = "Saves the scene and answers with the file; the one before stays as FILE.bak.",
                 .parameters = {{"file", path, "scene file; else the one it was opened from", true}},
                 .run = save});
-  commands.add({.name = "import",
-                .help = "Adds what a file holds to the scene and answers with the names of its nodes.",
-                .parameters = {{"file", path,
-                                "a scene, a volume or a sequence of them, a procedural medium such as ash, a "
-                                "camera, or a file of a type that a plug-in reads"}},
-                .flags = {{"namespace", "goes before their names, with a colon", text},
-                          {"setup",
-                           "of a volume: with a camera, lights and settings, as a picture of it alone has",
-                           {}}},
-                .run = import});
+  commands.add(
+      {.name = "import",
+       .help = "Adds what a file holds to the scene and answers with the names of its nodes.",
+       .parameters = {{"file", path,
+                       "a scene, a volume or a sequence of them, a procedural medium such as ash, a "
+                       "camera, or a file of a type that a plug-in reads"}},
+       .flags = {{"namespace",
+                  "goes before their names, with a colon; a number makes it one that is not there", text},
+                 {"merge", "puts them into that namespace even where it is there already", {}},
+                 {"setup",
+                  "of a volume: with a camera, lights and settings, as a picture of it alone has",
+                  {}}},
+       .run = import});
   commands.add({.name = "export",
                 .help =
                     "Writes nodes, what is under them and the transforms above them to a scene file of their "

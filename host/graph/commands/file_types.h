@@ -16,6 +16,7 @@ struct FileType {
   std::string plugin;                   // who registers it; empty: the program itself
   std::vector<std::string> extensions;  // in lower case, without the dot
   std::vector<std::string> words;       // what can be named that is no file, as "ash"
+  std::vector<std::string> flags{};     // of import that mean something here, beside those for every file
   /// Run as a part of the command, with its arguments; either may be empty. The importer answers with names
   /// of nodes; what it makes outside of the flag's namespace is put there. The exporter finds as "nodes" the
   /// names of all that is to be written, and as "file" a temporary one, which takes its place once it is

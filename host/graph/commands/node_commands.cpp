@@ -6,11 +6,25 @@ namespace plinian::graph {
 
 namespace {
 
+// Of some types a scene has one; others of them do nothing, which is worth a line.
+void warn_of_second(Session& session, NodeId id) {
+  const Node& node = *session.graph().find(id);
+  if (!node.type->spec().unique) return;
+  for (const Node* other : session.graph().nodes()) {
+    if (other->type != node.type) continue;
+    if (other->id != id)
+      session.warn(node.name + " is another " + node.type->name() +
+                   ", of which a scene has one: " + other->name + ", the first, counts");
+    return;
+  }
+}
+
 CommandResult create_node(Session& session, const Arguments& arguments) {
   const NodeTypePtr type = session.types().get(arguments.text("type"));
   const NodeId parent = arguments.has("parent") ? session.graph().get(arguments.text("parent")).id : NodeId();
   const NodeId id = session.editor().create_node(type, arguments.text("name"), parent);
   session.editor().select({id});
+  warn_of_second(session, id);
   return {session.graph().find(id)->name};
 }
 
@@ -29,6 +43,7 @@ CommandResult duplicate(Session& session, const Arguments& arguments) {
   if (const std::string name = arguments.text("name"); !name.empty())
     for (const NodeId copy : copies) session.editor().rename(copy, name);
   session.editor().select(copies);
+  for (const NodeId copy : copies) warn_of_second(session, copy);
   return names_of(session.graph(), copies);
 }
 

@@ -94,6 +94,65 @@ std::vector<NodeId> matching_nodes(const Graph& graph, const std::vector<std::st
   return result;
 }
 
+namespace {
+
+bool is_pattern(std::string_view text) {
+  return text.find_first_of("*?") != text.npos;
+}
+
+// What is in a node at the bottom, of arrays the elements that there are.
+std::vector<Plug> leaves_of(const Graph& graph, const Node& node) {
+  std::vector<Plug> leaves;
+  for (const AttributeIndex top : node.schema->top())
+    for (const Plug& leaf : leaf_plugs(graph, {node.id, top}))
+      if (!graph.attribute(leaf).spec.hidden) leaves.push_back(leaf);
+  return leaves;
+}
+
+}  // namespace
+
+std::vector<Plug> matching_plugs(const Graph& graph, const std::vector<std::string>& patterns,
+                                 const std::function<bool(const Plug&)>& takes) {
+  std::vector<Plug> result;
+  std::set<Plug> seen;
+  const auto add = [&](const Plug& plug) {
+    if (seen.insert(plug).second) result.push_back(plug);
+  };
+  for (const std::string& pattern : patterns) {
+    if (!is_pattern(pattern)) {
+      add(graph.plug(pattern));
+      continue;
+    }
+    const std::size_t dot = pattern.find('.');
+    if (dot == pattern.npos || dot == 0 || dot + 1 == pattern.size())
+      throw GraphError(shown(pattern) + " names no attribute: write NODE.ATTRIBUTE");
+    const std::string nodes = pattern.substr(0, dot), path = pattern.substr(dot + 1);
+    bool found = false;
+    for (const NodeId id : matching_nodes(graph, {nodes})) {
+      const Node& node = *graph.find(id);
+      std::vector<Plug> leaves;
+      if (is_pattern(path)) {
+        leaves = leaves_of(graph, node);
+        std::erase_if(leaves,
+                      [&](const Plug& leaf) { return !matches(Graph::path_of(*node.schema, leaf), path); });
+      } else {
+        try {
+          leaves = leaf_plugs(graph, Graph::plug(node, path));
+        } catch (const GraphError&) {
+          continue;  // others may have it
+        }
+      }
+      for (const Plug& leaf : leaves) {
+        if (!takes(leaf)) continue;
+        found = true;
+        add(leaf);
+      }
+    }
+    if (!found) throw GraphError("no attribute matches " + shown(pattern) + " that can be used here");
+  }
+  return result;
+}
+
 std::vector<NodeId> nodes_or_selection(Session& session, const std::vector<std::string>& patterns) {
   if (!patterns.empty()) return matching_nodes(session.graph(), patterns);
   if (session.graph().selection().empty()) throw GraphError("nothing is named and nothing is selected");

@@ -130,7 +130,14 @@ void add_session_commands(CommandRegistry& commands);
 /// pattern that matches nothing.
 std::vector<NodeId> matching_nodes(const Graph& graph, const std::vector<std::string>& patterns);
 
-/// ... or, where none are named, the selection. Throws GraphError where nothing is selected either.
+/// Plugs by names, NODE.ATTRIBUTE, each once. Both parts may be patterns with * and ?: then whatever matches
+/// both is meant that `takes` takes, of what holds others and of arrays what they hold. Throws GraphError for
+/// a name that is none and a pattern that matches nothing.
+std::vector<Plug> matching_plugs(const Graph& graph, const std::vector<std::string>& patterns,
+                                 const std::function<bool(const Plug& plug)>& takes);
+
+/// Nodes as above or, where none are named, the selection. Throws GraphError where nothing is selected
+/// either.
 std::vector<NodeId> nodes_or_selection(Session& session, const std::vector<std::string>& patterns);
 
 std::vector<std::string> names_of(const Graph& graph, const std::vector<NodeId>& nodes);

@@ -11,7 +11,10 @@ namespace {
 CommandResult repeat(const Session& session, const Arguments& arguments, const char* what,
                      const std::function<std::string()>& step) {
   CommandResult lines;
-  const int steps = int(arguments.number("steps").value_or(1.0));
+  const double number = arguments.number("steps").value_or(1.0);
+  if (number < 1.0)
+    throw GraphError(std::string(what) + ": STEPS is how often, from 1 on, not " + write_number(number));
+  const int steps = int(number);
   for (int i = 0; i < steps; ++i) {
     try {
       const std::string name = step();

@@ -1,5 +1,6 @@
 // currentTime, setKeyframe, cutKey.
 #include <algorithm>
+#include <cmath>
 
 #include "host/graph/commands/session.h"
 #include "host/graph/graph_error.h"
@@ -37,6 +38,36 @@ std::vector<Plug> number_plugs(const Graph& graph, const Plug& plug) {
   return result;
 }
 
+// What patterns may mean.
+std::vector<Plug> animatable_plugs(const Graph& graph, const std::vector<std::string>& patterns) {
+  std::vector<Plug> result;
+  const auto takes = [&](const Plug& plug) {
+    const AttributeSpec& spec = graph.attribute(plug).spec;
+    return !spec.output && !spec.read_only && spec.keyable &&
+           (is_number(spec.type) || component_count(spec.type) > 0);
+  };
+  for (const Plug& plug : matching_plugs(graph, patterns, takes))
+    for (const Plug& one : number_plugs(graph, plug)) result.push_back(one);
+  return result;
+}
+
+// The number that words say for a plug: a choice by its name, a length with its unit.
+double number_from(Session& session, const Plug& plug, const std::vector<Word>& words) {
+  const Graph& graph = session.graph();
+  AttributeSpec spec = graph.attribute(plug).spec;
+  if (plug.component >= 0) spec.type = AttributeType::float1;
+  try {
+    bool clamped = false;
+    const double number = number_of(fitted(spec, read_value(spec, words), &clamped));
+    if (clamped)
+      session.warn(graph.name_of(plug) + " is out of its range (" + expectation(spec) + ") and is keyed at " +
+                   write_number(number));
+    return number;
+  } catch (const GraphError& error) {
+    throw GraphError("setKeyframe: " + graph.name_of(plug) + " " + error.what());
+  }
+}
+
 // The animation curve that drives exactly this plug, or null.
 const Node* curve_of(const Graph& graph, const Plug& plug) {
   const Input* input = graph.find(plug.node)->input(plug.attribute, plug.element, plug.component);
@@ -58,74 +89,90 @@ CommandResult set_keyframe(Session& session, const Arguments& arguments) {
   Editor& editor = session.editor();
   const double time = arguments.number("time").value_or(session.evaluator().time());
   CommandResult curves;
-  for (const std::string& name : arguments.texts("plugs"))
-    for (const Plug& plug : number_plugs(graph, graph.plug(name))) {
-      const ResultPtr current = session.evaluator().evaluate(plug);
-      if (current->error)
-        throw GraphError(graph.name_of(plug) + ": " + session.evaluator().error_text(plug, *current));
-      const double value = arguments.number("value").value_or(number_of(current->value));
-      const Node* curve = curve_of(graph, plug);
-      NodeId id = curve ? curve->id : NodeId();
-      if (!curve) {
-        std::string base =
-            graph.find(plug.node)->name + "_" + Graph::path_of(*graph.find(plug.node)->schema, plug);
-        for (char& c : base)
-          if (c == '.' || c == '[' || c == ']') c = '_';
-        const NodeId time_node = session.time_node();
-        id = editor.create_node(session.types().get("animCurve"), base);
-        editor.connect(graph.plug(*graph.find(time_node), "out"), graph.plug(*graph.find(id), "in"));
-        editor.connect(graph.plug(*graph.find(id), "out"), plug);
-      }
-      const CurveAttributes attributes(*graph.find(id));
-      std::int32_t place = -1, next = 0;
-      for (const std::int32_t element : graph.find(id)->elements(attributes.key)) {
-        next = std::max(next, element + 1);
-        if (number_of(graph.find(id)->value(attributes.time, element)) == time) place = element;
-      }
-      if (place < 0) place = next;
-      editor.set({id, attributes.time, place}, time);
-      editor.set({id, attributes.value, place}, value);
-      if (arguments.has("interpolation")) {
-        const AttributeSpec& spec = (*graph.find(id)->schema)[attributes.interpolation].spec;
-        try {
-          editor.set({id, attributes.interpolation, place},
-                     read_value(spec, arguments.words("interpolation")));
-        } catch (const GraphError& error) {
-          throw GraphError(std::string("setKeyframe: -interpolation: ") + error.what());
-        }
-      }
-      curves.push_back(graph.find(id)->name);
+  for (const Plug& plug : animatable_plugs(graph, arguments.texts("plugs"))) {
+    const ResultPtr current = session.evaluator().evaluate(plug);
+    if (current->error)
+      throw GraphError(graph.name_of(plug) + ": " + session.evaluator().error_text(plug, *current));
+    const double value = arguments.has("value") ? number_from(session, plug, arguments.words("value"))
+                                                : number_of(current->value);
+    const Node* curve = curve_of(graph, plug);
+    NodeId id = curve ? curve->id : NodeId();
+    if (!curve) {
+      std::string base =
+          graph.find(plug.node)->name + "_" + Graph::path_of(*graph.find(plug.node)->schema, plug);
+      for (char& c : base)
+        if (c == '.' || c == '[' || c == ']') c = '_';
+      const NodeId time_node = session.time_node();
+      id = editor.create_node(session.types().get("animCurve"), base);
+      editor.connect(graph.plug(*graph.find(time_node), "out"), graph.plug(*graph.find(id), "in"));
+      editor.connect(graph.plug(*graph.find(id), "out"), plug);
     }
+    const CurveAttributes attributes(*graph.find(id));
+    std::int32_t place = -1, next = 0;
+    for (const std::int32_t element : graph.find(id)->elements(attributes.key)) {
+      next = std::max(next, element + 1);
+      if (number_of(graph.find(id)->value(attributes.time, element)) == time) place = element;
+    }
+    if (place < 0) place = next;
+    editor.set({id, attributes.time, place}, time);
+    editor.set({id, attributes.value, place}, value);
+    if (arguments.has("interpolation")) {
+      const AttributeSpec& spec = (*graph.find(id)->schema)[attributes.interpolation].spec;
+      try {
+        editor.set({id, attributes.interpolation, place}, read_value(spec, arguments.words("interpolation")));
+      } catch (const GraphError& error) {
+        throw GraphError(std::string("setKeyframe: -interpolation: ") + error.what());
+      }
+    }
+    curves.push_back(graph.find(id)->name);
+  }
   return curves;
 }
+
+// The frames whose keys go.
+struct TimeRange {
+  double first = -INFINITY, last = INFINITY;
+
+  explicit TimeRange(const Arguments& arguments) {
+    if (arguments.has("time") && arguments.has("from"))
+      throw GraphError("cutKey: -time and -from exclude each other");
+    if (const auto from = arguments.number(arguments.has("time") ? "time" : "from")) first = *from;
+    if (const auto to = arguments.number("to"))
+      last = *to;
+    else if (arguments.has("time"))
+      last = first;
+    if (first > last)
+      throw GraphError("cutKey: the range begins at " + write_number(first) + ", behind its end at " +
+                       write_number(last));
+  }
+  bool holds(double time) const { return time >= first && time <= last; }
+};
 
 CommandResult cut_key(Session& session, const Arguments& arguments) {
   const Graph& graph = session.graph();
   Editor& editor = session.editor();
-  const auto from = arguments.number("time"), to = arguments.number("to");
+  const TimeRange range(arguments);
   int cut = 0;
-  for (const std::string& name : arguments.texts("plugs"))
-    for (const Plug& plug : number_plugs(graph, graph.plug(name))) {
-      const Node* curve = curve_of(graph, plug);
-      if (!curve) continue;
-      const NodeId id = curve->id;
-      const CurveAttributes attributes(*curve);
-      const ResultPtr current = session.evaluator().evaluate(plug);
-      const auto elements = curve->elements(attributes.key);
-      int left = 0;
-      for (const std::int32_t element : elements) {
-        const double time = number_of(graph.find(id)->value(attributes.time, element));
-        const bool inside = !from || (to ? time >= *from && time <= *to : time == *from);
-        left += !inside;
-        cut += inside;
-        if (inside) editor.reset({id, attributes.key, element});
-      }
-      if (left > 0) continue;
-      // The last key is gone: the attribute stays where the curve left it.
-      editor.disconnect(plug);
-      if (!current->error) editor.set(plug, number_of(current->value));
-      if (graph.outgoing(id).empty()) editor.delete_nodes({id});
+  for (const Plug& plug : animatable_plugs(graph, arguments.texts("plugs"))) {
+    const Node* curve = curve_of(graph, plug);
+    if (!curve) continue;
+    const NodeId id = curve->id;
+    const CurveAttributes attributes(*curve);
+    const ResultPtr current = session.evaluator().evaluate(plug);
+    const auto elements = curve->elements(attributes.key);
+    int left = 0;
+    for (const std::int32_t element : elements) {
+      const bool inside = range.holds(number_of(graph.find(id)->value(attributes.time, element)));
+      left += !inside;
+      cut += inside;
+      if (inside) editor.reset({id, attributes.key, element});
     }
+    if (left > 0) continue;
+    // The last key is gone: the attribute stays where the curve left it.
+    editor.disconnect(plug);
+    if (!current->error) editor.set(plug, number_of(current->value));
+    if (graph.outgoing(id).empty()) editor.delete_nodes({id});
+  }
   if (cut == 0) throw GraphError("cutKey: there is no key there");
   return {std::to_string(cut)};
 }
@@ -141,15 +188,19 @@ void add_time_commands(CommandRegistry& commands) {
   commands.add(
       {.name = "setKeyframe",
        .help = "Keys attributes at the current time; the first key makes an animation curve.",
-       .parameters = {{"plugs", plug, "node.attribute; a vector is keyed by components", false, true}},
+       .parameters = {{"plugs", plug,
+                       "node.attribute, or patterns as sun.rotate.*; a vector is keyed by components", false,
+                       true}},
        .flags = {{"time", "frame (the current one)", number},
-                 {"value", "value (the current one)", number},
+                 {"value", "as the attribute spells it (the current one)", ArgumentKind::value},
                  {"interpolation", "to the next key: stepped, linear or smooth", text}},
        .run = set_keyframe});
   commands.add({.name = "cutKey",
                 .help = "Removes keys and answers how many; without its last key an attribute is free again.",
-                .parameters = {{"plugs", plug, "node.attribute", false, true}},
-                .flags = {{"time", "frame (all keys)", number}, {"to", "last frame of a range", number}},
+                .parameters = {{"plugs", plug, "node.attribute, or patterns as sun.*", false, true}},
+                .flags = {{"time", "the key of one frame (all keys)", number},
+                          {"from", "first frame of a range", number},
+                          {"to", "last frame of a range", number}},
                 .run = cut_key});
 }
 

@@ -31,9 +31,9 @@ NodeTypePtr TypeRegistry::find(std::string_view name) const {
 
 NodeTypePtr TypeRegistry::get(std::string_view name) const {
   if (const NodeTypePtr type = find(name)) return type;
-  const std::string source = hint ? hint(std::string(name)) : "";
+  const std::string meant = elsewhere.hint(std::string(name), names());
   throw GraphError("unknown node type " + shown(name) +
-                   (source.empty() ? did_you_mean(name, names()) : source));
+                   (meant.empty() ? "; there are: " + join(names()) : meant));
 }
 
 std::vector<std::string> TypeRegistry::names() const {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "host/graph/types/names_elsewhere.h"
 #include "host/graph/types/node_type.h"
 
 namespace plinian::graph {
@@ -22,8 +23,8 @@ class TypeRegistry {
   /// The type of that name. Throws GraphError with the nearest name.
   NodeTypePtr get(std::string_view name) const;
   std::vector<std::string> names() const;
-  /// Says, behind an error, where a type could come from that is not there; empty where nobody knows.
-  std::function<std::string(const std::string& name)> hint;
+  /// Types that are not there and could be.
+  NamesElsewhere elsewhere;
 
   /// Attributes of this data type can be stored from now on. Throws GraphError where the name is taken.
   void add_data_type(DataType type);

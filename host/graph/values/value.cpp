@@ -39,7 +39,9 @@ AttributeType type_of_name(std::string_view name) {
     if (name == traits[i].name) return AttributeType(i);
     names.push_back(traits[i].name);
   }
-  throw GraphError("unknown attribute type " + shown(name) + did_you_mean(name, names));
+  const std::string meant = did_you_mean(name, names);
+  throw GraphError("unknown attribute type " + shown(name) +
+                   (meant.empty() ? "; there are: " + join(names) : meant));
 }
 
 int component_count(AttributeType type) {

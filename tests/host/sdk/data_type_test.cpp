@@ -18,9 +18,9 @@ TEST(DataType, IsSetStoredAndReadAgainAsTextOrBase64) {
   EXPECT_EQ(s.run("getAttr p.count\ngetAttr p.points\ngetAttr p.blob"), "9\n\"1 2.5 3\"\nbase64:AP/+gICA");
   const std::string text = write_scene(s.session.graph());
   EXPECT_NE(text.find("  .points \"1 2.5 3\"\n  .blob base64:AP/+gICA\n"), std::string::npos) << text;
-  s.run("save \"" + own / "a.pln" + "\"");
+  s.run("save \"" + own / "a.plinian" + "\"");
   PluginSession other;
-  other.run("open \"" + own / "a.pln" + "\"");  // which loads the plug-in
+  other.run("open \"" + own / "a.plinian" + "\"");  // which loads the plug-in
   EXPECT_EQ(other.run("getAttr p.count"), "9");
   EXPECT_EQ(write_scene(other.session.graph()), text);
 }

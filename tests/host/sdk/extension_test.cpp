@@ -58,9 +58,9 @@ TEST(Event, TellsWhatHappenedAfterEachCommand) {
             "nodeCreated k\nselectionChanged\nconnected k.in (time1.out)\ndisconnected k.in");
   EXPECT_EQ(heard("currentTime 5"), "timeChanged 5");
   EXPECT_EQ(heard("select a"), "selectionChanged");
-  EXPECT_EQ(heard("save \"" + own / "s.pln" + "\""), "beforeSave (s.pln)\nafterSave (s.pln)");
+  EXPECT_EQ(heard("save \"" + own / "s.plinian" + "\""), "beforeSave (s.plinian)\nafterSave (s.plinian)");
   EXPECT_EQ(heard("newScene"), "beforeNew\nafterNew\ntimeChanged 1");
-  EXPECT_EQ(heard("open \"" + own / "s.pln" + "\""), "beforeOpen (s.pln)\nafterOpen (s.pln)");
+  EXPECT_EQ(heard("open \"" + own / "s.plinian" + "\""), "beforeOpen (s.plinian)\nafterOpen (s.plinian)");
   EXPECT_EQ(heard("delete c"), "nodeDeleted c");
   EXPECT_TRUE(s.warnings.empty());
 }

@@ -113,5 +113,43 @@ end
   EXPECT_NE(s.refusal("save").find("read-only"), std::string::npos) << "the next one is told as well";
 }
 
+TEST(Migration, WhatANewerPluginSavedWithTheSameTypesStaysOfTheNewerOneToo) {
+  MigrationSession s;
+  const auto opened_and_saved = [&](const std::string& scene) {
+    std::ofstream(s.file) << scene;
+    s.warnings.clear();
+    s.run("open -force \"" + s.file + "\"");
+    const std::string text = s.saved();
+    const std::vector<std::string> first = s.warnings;
+    s.warnings.clear();
+    s.run("open \"" + s.again + "\"");
+    EXPECT_EQ(first.size(), 1u);
+    EXPECT_EQ(s.warnings, std::vector<std::string>{s.again + ": was saved with version 1.7 of the plug-in "
+                                                             "'wobble', here is 1.2: what is not known here "
+                                                             "is kept as it is"});
+    return text;
+  };
+  s.run("loadPlugin wobble\ncreateNode wobble -name w\ncreateNode wobbleTotal -name total");
+  std::string newer = s.saved();
+  for (std::size_t at; (at = newer.find("wobble 1.2")) != newer.npos;) newer.replace(at, 10, "wobble 1.7");
+  EXPECT_EQ(opened_and_saved(newer), newer);
+  // A scene that was written by hand says it once.
+  EXPECT_NE(opened_and_saved("plinian scene 1.0\nrequires wobble 1.7\nnode wobble w\nend\n")
+                .find("requires wobble 1.7\n"),
+            std::string::npos);
+  EXPECT_NE(opened_and_saved("plinian scene 1.0\nrequires wobble 1.7\nend\n").find("requires wobble 1.7\n"),
+            std::string::npos);
+  // Nor does it become an older one's by way of a session without the plug-in.
+  s.run("newScene\nunloadPlugin wobble");
+  s.session.on_requires = nullptr;
+  std::ofstream(s.file) << newer;
+  s.run("open \"" + s.file + "\"");
+  EXPECT_EQ(s.saved(), newer);
+  s.run("loadPlugin wobble");
+  EXPECT_EQ(s.saved(), newer);
+  s.run("unloadPlugin -force wobble");
+  EXPECT_EQ(s.saved(), newer);
+}
+
 }  // namespace
 }  // namespace plinian::sdk

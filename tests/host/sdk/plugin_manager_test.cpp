@@ -82,9 +82,9 @@ TEST(PluginManager, OlderScenesAreMigratedByIt) {
 TEST(PluginManager, ASceneBringsTheInstalledPluginsThatItNeedsAndNoOthers) {
   const TemporaryFolder own;
   PluginSession s;
-  s.run("loadPlugin wobble\ncreateNode wobble -name w\nsave \"" + own / "a.pln" + "\"");
+  s.run("loadPlugin wobble\ncreateNode wobble -name w\nsave \"" + own / "a.plinian" + "\"");
   PluginSession other;
-  other.run("open \"" + own / "a.pln" + "\"");
+  other.run("open \"" + own / "a.plinian" + "\"");
   EXPECT_EQ(other.run("getAttr w.out"), "2");
   std::filesystem::copy_file(folder + "/wobble.so", own / "wobble.so");
   std::ofstream(own / "evil.pln") << "plinian scene 1.0\nrequires " + own / "wobble.so" +
@@ -126,6 +126,13 @@ TEST(PluginManager, WhatIsNotLoadedIsToldOfByWhoeverBringsIt) {
             "unknown node type 'points': the plug-in 'extras' brings it: loadPlugin extras");
   EXPECT_EQ(message_of([&] { s.session.execute("heard"); }),
             "unknown command 'heard': the plug-in 'extras' brings it: loadPlugin extras");
+  EXPECT_EQ(message_of([&] { s.session.execute("createNode pints"); }),
+            "unknown node type 'pints' (did you mean 'points': the plug-in 'extras' brings it: loadPlugin "
+            "extras)");
+  EXPECT_EQ(message_of([&] { s.session.execute("createNode nosuch"); })
+                .find("unknown node type 'nosuch'; "
+                      "there are: ambientLight, "),
+            0u);
   s.run("loadPlugin extras\ncreateNode points\nheard");
   EXPECT_EQ(message_of([&] { s.session.execute("createNode pints"); }),
             "unknown node type 'pints' (did you mean 'points'?)");

@@ -42,7 +42,7 @@ TEST(Command, EachMistakeHasItsLine) {
   EXPECT_EQ(refusal("a b -time"), "move: -time needs a word behind it");
   EXPECT_EQ(refusal("a b -time soon"), "move: -time expects a number, not 'soon'");
   EXPECT_EQ(refusal("a b -fast -fast"), "move: -fast is given twice");
-  EXPECT_EQ(refusal("a"), "move: NODES is missing: move NODES... TO [COUNT]");
+  EXPECT_EQ(refusal("a"), "move: TO is missing: move NODES... TO [COUNT]");
   EXPECT_EQ(refusal(""), "move: NODES is missing: move NODES... TO [COUNT]");
 }
 

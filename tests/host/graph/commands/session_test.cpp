@@ -141,7 +141,7 @@ TEST(Session, ANodeAnswersWithAllThatCanBeSetOnIt) {
 TEST(Session, WhatIsImportedSharesTheNodesOfWhichASceneHasOne) {
   const TemporaryFolder folder;
   TestSession s;
-  const std::string file = folder / "a.pln";
+  const std::string file = folder / "a.plinian";
   s.run("createNode sum -name x\nconnectAttr time1.out x.a\nsave \"" + file + "\"");
   std::vector<std::string> notes;
   s.on_note = [&](const std::string& line) { notes.push_back(line); };
@@ -153,7 +153,7 @@ TEST(Session, WhatIsImportedSharesTheNodesOfWhichASceneHasOne) {
 TEST(Session, SavesOpensImportsAndExports) {
   const TemporaryFolder folder;
   TestSession s;
-  const std::string file = folder / "a.pln", part = folder / "part.pln";
+  const std::string file = folder / "a.plinian", part = folder / "part.plinian";
   s.run("createNode sum -name x\nsetAttr x.a 3\nsave \"" + file + "\"");
   EXPECT_FALSE(s.history().is_modified());
   EXPECT_EQ(s.scene_folder(), folder.path());
@@ -166,19 +166,20 @@ TEST(Session, SavesOpensImportsAndExports) {
   EXPECT_EQ(s.run("undo\nls"), "import -namespace lib \"" + part + "\"\ntime1\nx");
   EXPECT_TRUE(std::filesystem::exists(file + ".bak"));
   // What cannot be opened leaves the scene as it is.
-  std::ofstream(folder / "bad.pln") << "plinian scene 1.0\nnode sum\n";
-  EXPECT_NE(s.refusal("open -force \"" + folder / "bad.pln" + "\"").find("bad.pln:2"), std::string::npos);
+  std::ofstream(folder / "bad.plinian") << "plinian scene 1.0\nnode sum\n";
+  EXPECT_NE(s.refusal("open -force \"" + folder / "bad.plinian" + "\"").find("bad.plinian:2"),
+            std::string::npos);
 }
 
 TEST(Session, ANewerSceneIsReadOnlyUnderItsOwnName) {
   const TemporaryFolder folder;
-  std::ofstream(folder / "new.pln") << "plinian scene 2.0\nnode sum s\nend\n";
+  std::ofstream(folder / "new.plinian") << "plinian scene 2.0\nnode sum s\nend\n";
   TestSession s;
-  s.run("open \"" + folder / "new.pln" + "\"");
+  s.run("open \"" + folder / "new.plinian" + "\"");
   EXPECT_EQ(s.warnings.size(), 1u);
   EXPECT_NE(s.refusal("save").find("is read-only here: save it under another name"), std::string::npos);
-  s.run("save \"" + folder / "mine.pln" + "\"\nsetAttr s.a 1\nsave");
-  EXPECT_NE(read_text_file(folder / "new.pln").find("2.0"), std::string::npos);
+  s.run("save \"" + folder / "mine.plinian" + "\"\nsetAttr s.a 1\nsave");
+  EXPECT_NE(read_text_file(folder / "new.plinian").find("2.0"), std::string::npos);
 }
 
 TEST(Session, EvaluatesAndHelps) {
@@ -189,6 +190,78 @@ TEST(Session, EvaluatesAndHelps) {
   EXPECT_TRUE(s.run("help setAttr").starts_with("setAttr PLUG VALUE...\n"));
   for (const std::string& name : s.commands().names())
     EXPECT_FALSE(s.commands().get(name).help.empty()) << name;
+}
+
+TEST(Session, PatternsNameAttributesOfManyNodes) {
+  TestSession s;
+  s.run("createNode sum -name x1\ncreateNode sum -name x2\ncreateNode group -name g\nsetAttr x*.a 3");
+  EXPECT_EQ(s.run("getAttr x1.a\ngetAttr x2.a"), "3\n3");
+  s.run("setAttr x1.b 5\nsetAttr x1.offset 1 2 3\nsetAttr x1.weights[4] 6\nresetAttr x?.*");
+  EXPECT_EQ(s.run("getAttr x1.a\ngetAttr x1.b\ngetAttr x1.offset\ngetAttr x1.weights"), "0\n0\n0 0 0");
+  s.run("lockAttr *.offset *.translate");
+  EXPECT_EQ(s.refusal("setAttr x2.offset 1 1 1"), "x2.offset is locked");
+  EXPECT_EQ(s.refusal("setAttr g.translate 1 1 1"), "g.translate is locked");
+  s.run("lockAttr -off *.*\nsetAttr x2.offset 1 1 1");
+  EXPECT_EQ(s.refusal("setAttr q*.a 1"), "no node matches 'q*'");
+  EXPECT_EQ(s.refusal("setAttr x*.q* 1"), "no attribute matches 'x*.q*' that can be used here");
+  EXPECT_EQ(s.refusal("setAttr x* 1"), "'x*' names no attribute: write NODE.ATTRIBUTE");
+  // What cannot be animated is not meant.
+  EXPECT_EQ(s.run("setKeyframe g.* -time 1"), "g_translate_x\ng_translate_y\ng_translate_z\ng_visibility");
+  EXPECT_EQ(s.run("cutKey g.t*\ncutKey *.*"), "3\n1");
+}
+
+TEST(Session, KeysAreCutInRanges) {
+  TestSession s;
+  s.run("createNode sum -name x");
+  const auto key = [&] {
+    for (const char* time : {"1", "5", "10", "20"})
+      s.run("setKeyframe x.a -value 2 -time " + std::string(time));
+  };
+  key();
+  EXPECT_EQ(s.run("cutKey x.a -from 5 -to 10"), "2");
+  EXPECT_EQ(s.run("cutKey x.a -from 6"), "1");
+  key();
+  EXPECT_EQ(s.run("cutKey x.a -to 5\ncutKey x.a -time 10 -to 20"), "2\n2");
+  EXPECT_EQ(s.run("listConnections x"), "");
+  key();
+  EXPECT_EQ(s.refusal("cutKey x.a -from 10 -to 5"), "cutKey: the range begins at 10, behind its end at 5");
+  EXPECT_EQ(s.refusal("cutKey x.a -time 1 -from 5"), "cutKey: -time and -from exclude each other");
+  EXPECT_EQ(s.refusal("cutKey x.a -from 6 -to 9"), "cutKey: there is no key there");
+}
+
+TEST(Session, AnImportGoesIntoANamespaceOfItsOwn) {
+  const TemporaryFolder folder;
+  TestSession s;
+  const std::string file = folder / "part.plinian", import = "import \"" + file + "\" -namespace survey";
+  s.run("createNode sum -name camp\nexport \"" + file + "\" camp");
+  std::vector<std::string> notes;
+  s.on_note = [&](const std::string& line) { notes.push_back(line); };
+  EXPECT_EQ(s.run(import), "survey:camp");
+  EXPECT_TRUE(notes.empty());
+  EXPECT_EQ(s.run(import), "survey1:camp");
+  EXPECT_EQ(notes, std::vector<std::string>{"import: the namespace survey is there already: " + file +
+                                            " goes into survey1 (-merge puts it into that one)"});
+  EXPECT_EQ(s.run(import), "survey2:camp");
+  EXPECT_EQ(s.run(import + " -merge"), "survey:camp1");
+  EXPECT_EQ(s.run("delete survey1:*\n" + import), "survey1:camp");
+  EXPECT_EQ(s.refusal("import \"" + file + "\" -setup"), "import: -setup means nothing for scenes");
+}
+
+TEST(Session, WhatIsSavedWithoutAnExtensionGetsTheScenes) {
+  const TemporaryFolder folder;
+  TestSession s;
+  s.run("createNode sum -name x");
+  EXPECT_EQ(s.run("save \"" + folder / "shot" + "\""), folder / "shot.plinian");
+  s.run("export \"" + folder / "part" + "\" x");
+  EXPECT_TRUE(std::filesystem::exists(folder / "part.plinian"));
+}
+
+TEST(Session, ASecondNodeOfWhichASceneHasOneIsTold) {
+  TestSession s;
+  s.run("createNode time\nduplicate time1");
+  EXPECT_EQ(s.warnings, (std::vector<std::string>{
+                            "time2 is another time, of which a scene has one: time1, the first, counts",
+                            "time3 is another time, of which a scene has one: time1, the first, counts"}));
 }
 
 }  // namespace
