@@ -7,7 +7,6 @@
 #include <charconv>
 #include <cmath>
 #include <functional>
-#include <span>
 #include <stdexcept>
 
 #include "core/scene/nearest_word.h"
@@ -15,30 +14,15 @@
 #include "core/scene/quality_parameters.h"
 #include "core/scene/scene_parameters.h"
 #include "host/cli/console.h"
+#include "host/scene/volume_options.h"
 
 namespace plinian::cli {
 
 namespace {
 
-// Options that are another word for --set: what people reach for first has a short name.
+// Options that are another word for --set, beside those of host/scene/volume_options.h.
 struct ShortOption {
   const char *option, *key, *value_name, *help;
-};
-constexpr ShortOption scene_options[] = {
-    {"--grid", "medium.grid", "NAME",
-     "density grid of the file: NAME, NAME[INDEX], or NAME[*] for their sum"},
-    {"--temperature-grid", "medium.temperature_grid", "NAME", "temperature grid of the file, or none"},
-    {"--level-set", "medium.level_set", "refuse|fog", "fog: a level set is converted to a fog volume"},
-    {"--frustum", "medium.frustum", "refuse|resample",
-     "resample: a grid with a frustum transform is resampled"},
-    {"--up-axis", "medium.up_axis", "y|z", "which way is up in the file (guessed from its metadata)"},
-    {"--file-unit", "medium.file_unit", "METRES",
-     "length of one unit of the file (guessed from its metadata)"},
-    {"--rescale", "medium.rescale", "extinction|optical_depth", "what stays where a volume is resized"},
-    {"--density-scale", "medium.density_scale", "FACTOR",
-     "on density (median optical depth 12 if not given)"},
-    {"--resolution", "medium.resolution", "N", "voxels along the longest side of a procedural medium"},
-    {"--seed", "medium.seed", "N", "of a procedural medium"},
 };
 constexpr ShortOption quality_options[] = {
     {"--encoding", "map.encoding", "tfm|atfm", "how light is stored along a ray"},
@@ -69,11 +53,12 @@ bool is_quality_key(const std::string& key) {
 
 std::vector<SceneEdit> edits_of(const SceneArguments& arguments) {
   std::vector<SceneEdit> edits;
-  for (const auto& [option, value] : arguments.values)
-    for (const auto& table :
-         {std::span<const ShortOption>(scene_options), std::span<const ShortOption>(quality_options)})
-      for (const ShortOption& known : table)
-        if (option == known.option) edits.push_back({known.key, value, option});
+  for (const auto& [option, value] : arguments.values) {
+    for (const scene::VolumeOption& known : scene::volume_options())
+      if (option == "--" + std::string(known.name)) edits.push_back({known.key, value, option});
+    for (const ShortOption& known : quality_options)
+      if (option == known.option) edits.push_back({known.key, value, option});
+  }
   for (const std::string& text : arguments.set) {
     const auto equals = text.find('=');
     if (equals == std::string::npos || equals == 0)
@@ -89,12 +74,9 @@ void add_scene_arguments(CLI::App& app, SceneArguments& arguments, bool with_pre
          "a .vdb file, a sequence of them (smoke.####.vdb), a procedural medium (ash, cloud, sandstorm, "
          "explosion), a .plinian or a .json scene")
       ->required();
-  const auto add = [&](const ShortOption& option, const char* group) {
+  const auto add = [&](const std::string& name, const auto& option, const char* group) {
     app.add_option_function<std::string>(
-           option.option,
-           [&arguments, name = std::string(option.option)](const std::string& value) {
-             arguments.values.emplace_back(name, value);
-           },
+           name, [&arguments, name](const std::string& value) { arguments.values.emplace_back(name, value); },
            option.help)
         ->type_name(option.value_name)
         ->group(group);
@@ -104,8 +86,9 @@ void add_scene_arguments(CLI::App& app, SceneArguments& arguments, bool with_pre
         ->type_name("NAME|FILE")
         ->capture_default_str()
         ->group("Quality");
-  for (const ShortOption& option : quality_options) add(option, "Quality");
-  for (const ShortOption& option : scene_options) add(option, "Volume");
+  for (const ShortOption& option : quality_options) add(option.option, option, "Quality");
+  for (const scene::VolumeOption& option : scene::volume_options())
+    add("--" + std::string(option.name), option, "Volume");
   app.add_option("--vdb-time-limit", arguments.vdb_time_limit_s, "for reading a .vdb (grows with the file)")
       ->type_name("SECONDS")
       ->check(CLI::PositiveNumber)

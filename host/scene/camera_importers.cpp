@@ -1,14 +1,20 @@
 // import of cameras.
 //
 // A .chan file has a line for each frame: frame, translate x y z, rotate x y z [degrees] and, where there is
-// one, the vertical field of view [degrees]; turned about z, then x, then y, as Nuke has it by default
-// (Foundry, Nuke user guide, "Importing cameras"). An EXR has the matrix worldToCamera, of row vectors
-// (OpenEXR standard attributes), and, where Plinian or a program like it wrote the file, lens and film.
+// one, the vertical field of view [degrees] (Blender manual, "Nuke Animation (chan)"). It says neither in
+// which order it turns nor what a length is: "the rotation orders during export and import must be the same"
+// (ib.). Without the flag rotateOrder it is zxy, from left to right, which is Foundry's default; without the
+// flag unit a length is a metre, as all are here. Houdini writes a row of channels per frame and no number of
+// the frame (SideFX, "Available channel/audio formats"), which is refused where it can be told. An EXR has
+// the matrix worldToCamera, of row vectors (OpenEXR standard attributes), and, where Plinian or a program
+// like it wrote the file, lens and film.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <sstream>
 
 #include "core/image/image_io.h"
+#include "core/scene/nearest_word.h"
 #include "core/scene/placement.h"
 #include "host/graph/files/scene_reader.h"
 #include "host/graph/graph_error.h"
@@ -17,6 +23,7 @@
 
 namespace plinian::scene {
 
+using graph::ArgumentKind;
 using graph::Arguments;
 using graph::CommandResult;
 using graph::GraphError;
@@ -62,6 +69,10 @@ std::vector<ChanLine> read_chan(const std::string& path) {
                        ": expected a frame, 3 numbers of translation, 3 of rotation and, perhaps, a field of "
                        "view, got " +
                        std::to_string(values.size()) + " numbers");
+    if (!lines.empty() && values[0] <= lines.back().frame)
+      throw GraphError(path + ":" + std::to_string(number) +
+                       ": the first number of a line is its frame, and " + write_number(values[0]) +
+                       " does not come after " + write_number(lines.back().frame));
     ChanLine& read = lines.emplace_back();
     read.frame = values[0];
     std::copy_n(values.begin() + 1, 6, read.values);
@@ -74,10 +85,28 @@ std::vector<ChanLine> read_chan(const std::string& path) {
   return lines;
 }
 
+// Of the flag unit: cm and the like, or a number of metres.
+double metres(const std::string& unit) {
+  const graph::AttributeSpec length = {.name = "unit", .type = graph::AttributeType::distance};
+  const bool named = std::ranges::all_of(unit, [](unsigned char c) { return std::isalpha(c); });
+  const std::vector<graph::Word> words = {{named ? "1" + unit : unit, false}};
+  try {
+    if (const double found = std::get<double>(graph::read_value(length, words)); found > 0.0) return found;
+  } catch (const GraphError&) {
+  }
+  throw GraphError("import: -unit expects mm, cm, m, km, in, ft or a number of metres, not " +
+                   graph::shown(unit));
+}
+
 CommandResult import_chan(Session& session, const Arguments& arguments) {
+  const std::string order = arguments.text("rotateOrder", "zxy");
+  const auto orders = rotate_order_names();
+  if (std::ranges::find(orders, order) == orders.end())
+    throw GraphError("import: -rotateOrder " + graph::shown(order) + " is none of " + join(orders));
+  const double unit = metres(arguments.text("unit", "m"));
   const std::vector<ChanLine> lines = read_chan(arguments.text("file"));
   const std::string camera = create_camera(session, arguments);
-  session.execute("setAttr " + camera + ".rotate_order zxy");
+  session.execute("setAttr " + camera + ".rotate_order " + order);
   session.execute("setAttr " + camera + ".film_fit vertical");
   const char* const attributes[] = {"translate.x", "translate.y", "translate.z",
                                     "rotate.x",    "rotate.y",    "rotate.z"};
@@ -88,10 +117,11 @@ CommandResult import_chan(Session& session, const Arguments& arguments) {
   constexpr double film_height = 24.0;  // [mm] of a new camera
   for (const ChanLine& line : lines) {
     for (int i = 0; i < 6; ++i) {
+      const double value = line.values[i] * (i < 3 ? unit : 1.0);
       if (lines.size() > 1)
-        key(attributes[i], line.frame, line.values[i]);
+        key(attributes[i], line.frame, value);
       else
-        session.execute("setAttr " + camera + "." + attributes[i] + " " + write_number(line.values[i]));
+        session.execute("setAttr " + camera + "." + attributes[i] + " " + write_number(value));
     }
     if (line.fov == 0.0) continue;
     const double length = 0.5 * film_height / std::tan(glm::radians(line.fov) / 2.0);
@@ -139,10 +169,15 @@ CommandResult import_exr(Session& session, const Arguments& arguments) {
 }  // namespace
 
 void add_camera_importers(Session& session) {
+  session.commands().add_flags(
+      "import",
+      {{"rotateOrder", "of a .chan: which axes it turns about first to last (zxy)", ArgumentKind::text},
+       {"unit", "of a .chan: mm, cm, m, in, ft, or a number of metres (m)", ArgumentKind::text}});
   session.file_types().add({.name = "chan",
-                            .help = "A camera's movement, as Nuke and Houdini write it.",
+                            .help = "A camera's movement, as Nuke writes it: frames, places, angles.",
                             .plugin = "",
                             .extensions = {"chan"},
+                            .flags = {"rotateOrder", "unit"},
                             .import_file = import_chan,
                             .export_file = {}});
   session.file_types().add({.name = "camera of a picture",

@@ -48,5 +48,32 @@ TEST(CameraImporters, TheHeaderOfAnExrGivesItsCameraBack) {
   EXPECT_NE(w.refusal("import " + folder / "plain.exr").find("has no camera"), std::string::npos);
 }
 
+TEST(CameraImporters, AChanFileSaysNeitherOrderNorUnitSoThatFlagsDo) {
+  TemporaryFolder folder;
+  TestWorkspace w;
+  const std::string file = folder.write("move.chan", "1 100 200 300 10 20 30\n");
+  const auto placed = [&](const std::string& flags) {
+    const std::string camera = w.run("import " + file + " " + flags);
+    const dmat4 matrix = [&] {
+      w.view().camera = w.session().graph().get(camera).id;
+      return w.snapshot().camera.world_from_camera;
+    }();
+    return std::pair(w.run("getAttr " + camera + ".rotate_order"), dvec3(matrix[3]));
+  };
+  EXPECT_EQ(placed(""), std::pair(std::string("zxy"), dvec3(100, 200, 300)));
+  EXPECT_EQ(placed("-rotateOrder xyz -unit cm"), std::pair(std::string("xyz"), dvec3(1, 2, 3)));
+  EXPECT_EQ(placed("-unit 0.5").second, dvec3(50, 100, 150));
+  EXPECT_EQ(w.refusal("import " + file + " -rotateOrder zzz"),
+            "import: -rotateOrder 'zzz' is none of xyz, yzx, zxy, xzy, yxz, zyx");
+  EXPECT_EQ(w.refusal("import " + file + " -unit furlong"),
+            "import: -unit expects mm, cm, m, km, in, ft or a number of metres, not 'furlong'");
+  EXPECT_EQ(w.refusal("import " + file + " -grid density"),
+            "import: -grid means nothing for files of the type 'chan', which take -rotateOrder, -unit");
+  // Rows of channels alone, as Houdini writes them.
+  folder.write("move.chan", "5 0 0 0 0 0 40\n4 0 0 0 0 0 40\n");
+  EXPECT_EQ(w.refusal("import " + file),
+            file + ":2: the first number of a line is its frame, and 4 does not come after 5");
+}
+
 }  // namespace
 }  // namespace plinian::scene

@@ -279,5 +279,26 @@ TEST(ImportCommand, AVolumeComesAloneAndANeutralSceneWithAllItHas) {
   EXPECT_EQ(w.run("ls"), "time1");
 }
 
+TEST(ImportCommand, TakesTheOptionsOfAVolumeThatRenderTakes) {
+  TemporaryFolder folder;
+  BrickVolumeBuilder builder;
+  const std::vector<float> voxels(BrickVolumeBuilder::block_voxels, 1.0f);
+  builder.add({0, 0, 0}, voxels.data());
+  write_vdb(folder / "a.vdb", builder.build(dmat4(1.0)));
+  TestWorkspace w;
+  w.run("import " + folder / "a.vdb" + " -grid density -upAxis z -densityScale 3 -levelSet fog");
+  EXPECT_EQ(w.run("getAttr medium_file.grid\ngetAttr medium_file.up_axis\ngetAttr medium.density_scale\n"
+                  "getAttr medium_file.level_set"),
+            "\"density\"\nz\n3\nfog");
+  EXPECT_EQ(w.run("import ash -resolution 16 -seed 7 -namespace n\ngetAttr n:medium_noise.seed").substr(0, 8),
+            "n:medium");
+  EXPECT_NE(w.refusal("import " + folder / "a.vdb" + " -grid heat").find("there is no grid \"heat\""), std::string::npos)
+      << w.refusal("import " + folder / "a.vdb" + " -grid heat");
+  EXPECT_NE(w.refusal("import " + folder / "a.vdb" + " -upAxis up").find("import: -upAxis"),
+            std::string::npos);
+  EXPECT_NE(w.refusal("import ash -grid density").find("only a .vdb file has one"), std::string::npos);
+  EXPECT_NE(w.refusal("import ash -grd density").find("did you mean '-grid'?"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace plinian::scene
