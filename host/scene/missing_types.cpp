@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <set>
+#include <vector>
 
 namespace plinian::scene {
 
@@ -23,6 +25,25 @@ std::string missing_types(const graph::Graph& graph) {
                                    : fmt::format("need{} the plug-in '{}'", count == 1 ? "s" : "", plugin));
   }
   return text;
+}
+
+const graph::Node* unknown_source(const graph::Graph& graph, graph::NodeId id) {
+  std::vector<graph::NodeId> waiting = {id};
+  std::set<graph::NodeId> seen = {id};
+  while (!waiting.empty()) {
+    const graph::Node& node = *graph.find(waiting.back());
+    waiting.pop_back();
+    std::vector<graph::NodeId> sources;
+    for (const graph::Input& input : node.inputs) sources.push_back(input.source.node);
+    for (const graph::KeptLine& kept : node.kept) sources.push_back(kept.source);
+    for (const graph::NodeId source : sources) {
+      const graph::Node* found = graph.find(source);
+      if (!found) continue;
+      if (found->type->is_unknown()) return found;
+      if (seen.insert(source).second) waiting.push_back(source);
+    }
+  }
+  return nullptr;
 }
 
 }  // namespace plinian::scene

@@ -12,4 +12,7 @@ namespace plinian::scene {
 /// that a picture without them is not the scene's.
 std::string missing_types(const graph::Graph& graph);
 
+/// The node of an unknown type that a node takes anything from, directly or by way of others, or null.
+const graph::Node* unknown_source(const graph::Graph& graph, graph::NodeId node);
+
 }  // namespace plinian::scene

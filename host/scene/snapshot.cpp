@@ -11,6 +11,7 @@
 #include "core/scene/quality_parameters.h"
 #include "host/graph/graph_error.h"
 #include "host/graph/model/conversion.h"
+#include "host/scene/missing_types.h"
 #include "host/scene/placed.h"
 #include "host/sdk/abi/scene.h"
 #include "host/sdk/contribution.h"
@@ -45,12 +46,11 @@ Light placed_light(Light light, const std::string& node, const dmat4& world) {
 }
 
 Camera placed_camera(Camera camera, const dmat4& world) {
-  dmat4 matrix = world * camera.world_from_camera;
   // A camera stays rigid, whatever it is under.
-  for (int i = 0; i < 3; ++i)
-    if (const double length = glm::length(dvec3(matrix[i])); std::abs(length - 1.0) > 1e-9)
-      matrix[i] /= length;
-  camera.world_from_camera = matrix;
+  const dmat4 matrix = world * camera.world_from_camera, rigid = sdk::rigid_part(matrix);
+  double off = 0.0;
+  for (int i = 0; i < 3; ++i) off = std::max(off, glm::length(dvec3(matrix[i] - rigid[i])));
+  camera.world_from_camera = off > 1e-9 ? rigid : matrix;
   camera.near_clip = float(camera.near_clip * scale_of(world));
   return camera;
 }
@@ -79,6 +79,10 @@ void add_default_lights(SceneSnapshot& snapshot) {
   const Camera front = look_at(direction_from(default_azimuth, 0.0), dvec3(0.0), dvec3(0, 1, 0), 40.0);
   snapshot.lights = {default_key(front), default_rim(front)};
   snapshot.ambient = default_ambient;
+}
+
+std::string described(const Node& unknown) {
+  return unknown.name + ", whose type '" + unknown.type->name() + "' is not known here";
 }
 
 NodeId chosen_camera(graph::Session& session, const SceneView& view) {
@@ -182,10 +186,16 @@ BuiltSnapshot build_snapshot(graph::Session& session, const SceneView& view) {
     const Node& node = *graph.find(plug.node);
     const graph::ResultPtr result = evaluator.evaluate(plug);
     if (result->error) {
-      if (told.insert(result->error->origin).second)
-        built.problems.push_back(graph.name_of(result->error->origin) + ": " + result->error->message);
+      const Plug& origin = result->error->origin;
+      const Node* missing = view.skip_unknown ? unknown_source(graph, origin.node) : nullptr;
+      if (missing)
+        built.left_out.push_back(node.name + " is left out: it needs " + described(*missing));
+      else if (told.insert(origin).second)
+        built.problems.push_back(graph.name_of(origin) + ": " + result->error->message);
       continue;
     }
+    if (const Node* missing = view.skip_unknown ? unknown_source(graph, node.id) : nullptr)
+      built.left_out.push_back(node.name + " is shown without what it takes from " + described(*missing));
     const sdk::ShapeContributionPtr shape = sdk::contribution_in(result->value);
     const dmat4 world = placed.world_matrix(node.id);
     if (!shape->cameras.empty() && (wanted_camera ? node.id == wanted_camera : !has_camera)) {

@@ -21,11 +21,13 @@ struct SceneView {
   // cameras stay, but for those of shapes that take a volume or a medium.
   std::set<graph::NodeId> isolated;
   std::optional<ivec2> size;  // [pixels]; empty: as renderSettings says
+  bool skip_unknown = false;  // shapes that fail for want of a node of an unknown type are left out
 };
 
 struct BuiltSnapshot {
   SceneSnapshot snapshot;
   std::vector<std::string> problems;  // shapes that are left out because they failed, one line for each cause
+  std::vector<std::string> left_out;  // likewise: those that skip_unknown leaves out
   std::vector<std::string> notes;     // what was assumed
 };
 

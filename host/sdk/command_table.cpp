@@ -87,7 +87,13 @@ graph::CommandSpec command_from(const PlinianCommand* plain, const std::shared_p
   spec.run = [run = from.run, user = from.user, data, name = spec.name](graph::Session& session,
                                                                         const graph::Arguments& arguments) {
     const InsidePlugin inside(data->owner, "running the command", name.c_str());
-    return called(session, arguments, [&](PlinianCall* call) { run(user, &command_table, call); });
+    try {
+      return called(session, arguments, [&](PlinianCall* call) { run(user, &command_table, call); });
+    } catch (const GraphError& error) {
+      const std::string line = error.what();
+      if (line.starts_with(name + ":") || line.starts_with(name + " ")) throw;
+      throw GraphError(name + ": " + line);
+    }
   };
   return spec;
 }

@@ -145,12 +145,28 @@ int add_light(PlinianContribution* c, const PlinianLight* plain) {
   });
 }
 
+// A camera neither scales nor shears nor mirrors what it sees.
+dmat4 rigid(const ContributionState& s, const Reader& read, const dmat4& matrix) {
+  if (determinant(dmat3(matrix)) < 0.0)
+    throw GraphError(read.what() + ": its object_from_camera mirrors: give it a rotation and a translation");
+  const dmat4 result = rigid_part(matrix);
+  double off = 0.0;
+  for (int i = 0; i < 3; ++i) off = std::max(off, length(dvec3(matrix[i] - result[i])));
+  // Floats that were turned into doubles are off by as much as floats are.
+  constexpr double tolerance = 1e-5;
+  if (off <= tolerance) return off > 1e-12 ? result : matrix;
+  s.compute.context.warn(read.what() +
+                         ": its object_from_camera scales or shears, which is left out: give it a rotation "
+                         "and a translation");
+  return result;
+}
+
 int add_camera(PlinianContribution* c, const PlinianCamera* plain) {
   return taken(c, [&](ContributionState& s) {
     const PlinianCamera from = whole(plain);
     const Reader read("camera", from.name, s.content);
     Camera camera;
-    camera.world_from_camera = read.matrix("object_from_camera", from.object_from_camera);
+    camera.world_from_camera = rigid(s, read, read.matrix("object_from_camera", from.object_from_camera));
     camera.focal_length = read.positive("focal_length", from.focal_length);
     for (int i = 0; i < 2; ++i) {
       camera.film_back[i] = read.positive("film_back", from.film_back[i]);

@@ -2,6 +2,16 @@
 
 namespace plinian::sdk {
 
+dmat4 rigid_part(const dmat4& matrix) {
+  dvec3 axes[3];
+  for (int i = 2; i >= 0; --i) {
+    axes[i] = dvec3(matrix[i]);
+    for (int done = 2; done > i; --done) axes[i] -= dot(axes[i], axes[done]) * axes[done];
+    axes[i] /= length(axes[i]);
+  }
+  return {dvec4(axes[0], 0.0), dvec4(axes[1], 0.0), dvec4(axes[2], 0.0), matrix[3]};
+}
+
 graph::AttributeIndex contribution_of(const graph::NodeType& type) {
   const graph::AttributeIndex output = type.schema()->find(contribution_output);
   const bool shape =

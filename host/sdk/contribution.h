@@ -36,6 +36,10 @@ using ShapeContributionPtr = std::shared_ptr<const ShapeContribution>;
 inline constexpr const char* contribution_type = "plinian.contribution";
 inline constexpr const char* contribution_output = "contribution";
 
+/// The rotation and translation in a matrix that may scale and shear as well: the way it looks (z) stays, and
+/// up (y) as far as it can. A mirrored one stays so. matrix: one that could be taken back.
+dmat4 rigid_part(const dmat4& matrix);
+
 /// The output of a type that contributes to the picture, or no_attribute where it is no shape.
 graph::AttributeIndex contribution_of(const graph::NodeType& type);
 /// What the value of that output holds, or null.

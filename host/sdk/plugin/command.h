@@ -85,14 +85,15 @@ inline int register_command(const PlinianHost& host, Command& command) {
   plain.flags = flags.data();
   plain.flag_count = flags.size();
   plain.user = &command;
-  plain.run = [](void* user, const PlinianCommandContext* table, PlinianCall* call) {
-    guarded(
-        [&] {
-          Call wrapped(*table, call);
-          static_cast<Command*>(user)->run(wrapped);
-        },
-        [&](const char* message) { table->fail(call, message); });
-  };
+  if (command.run)
+    plain.run = [](void* user, const PlinianCommandContext* table, PlinianCall* call) {
+      guarded(
+          [&] {
+            Call wrapped(*table, call);
+            static_cast<Command*>(user)->run(wrapped);
+          },
+          [&](const char* message) { table->fail(call, message); });
+    };
   return host.register_command(host.self, &plain);
 }
 

@@ -98,6 +98,7 @@ class Context {
   }
   /// Makes a volume of the plug-in's own voxels, for outputs and for media.
   Volume make_volume(const VolumeSource& source) const {
+    if (!source.fill) throw Error("a volume needs a function that fills it: VolumeSource::fill is empty");
     struct Filling {
       const VolumeSource& source;
       std::exception_ptr failure;

@@ -27,6 +27,7 @@ struct DataType {
                      std::function<std::size_t(const T&)> bytes_of = {}) {
     DataType type;
     type.name = std::move(name);
+    if (!write || !read) return type;  // the host refuses it, and says why
     type.serialise = [write](const void* object) { return write(*static_cast<const T*>(object)); };
     type.deserialise = [read, bytes_of](std::string_view bytes) {
       std::unique_ptr<const T> object = read(bytes);
@@ -48,24 +49,26 @@ inline int register_data_type(const PlinianHost& host, DataType& type) {
   plain.size = sizeof(plain);
   plain.name = type.name.c_str();
   plain.user = &type;
-  plain.serialise = [](void* user, const void* object, const PlinianSerial* table, PlinianSink* sink) {
-    guarded(
-        [&] {
-          const std::string bytes = static_cast<DataType*>(user)->serialise(object);
-          table->write(sink, bytes.data(), bytes.size());
-        },
-        [&](const char* message) { table->fail(sink, message); });
-  };
-  plain.deserialise = [](void* user, const void* bytes, std::size_t count, const PlinianSerial* table,
-                         PlinianSink* sink) {
-    guarded(
-        [&] {
-          const PlinianData data = static_cast<DataType*>(user)->deserialise(
-              std::string_view(static_cast<const char*>(bytes), count));
-          table->give(sink, &data);
-        },
-        [&](const char* message) { table->fail(sink, message); });
-  };
+  if (type.serialise)
+    plain.serialise = [](void* user, const void* object, const PlinianSerial* table, PlinianSink* sink) {
+      guarded(
+          [&] {
+            const std::string bytes = static_cast<DataType*>(user)->serialise(object);
+            table->write(sink, bytes.data(), bytes.size());
+          },
+          [&](const char* message) { table->fail(sink, message); });
+    };
+  if (type.deserialise)
+    plain.deserialise = [](void* user, const void* bytes, std::size_t count, const PlinianSerial* table,
+                           PlinianSink* sink) {
+      guarded(
+          [&] {
+            const PlinianData data = static_cast<DataType*>(user)->deserialise(
+                std::string_view(static_cast<const char*>(bytes), count));
+            table->give(sink, &data);
+          },
+          [&](const char* message) { table->fail(sink, message); });
+    };
   return host.register_data_type(host.self, &plain);
 }
 

@@ -78,6 +78,8 @@ struct Draw {
 
 template <class Data, class Resources>
 AnyDraw draw_override(Draw<Data, Resources> of) {
+  if (!of.prepare)
+    throw Error("a draw override needs a function that prepares what it draws: prepare is empty");
   AnyDraw any;
   any.affected_by = of.affected_by;
   any.prepare = [prepare = of.prepare](Context& context) {
@@ -91,7 +93,7 @@ AnyDraw draw_override(Draw<Data, Resources> of) {
     return !upload || upload(gl, *static_cast<const Data*>(data), *static_cast<Resources*>(*resources));
   };
   any.draw = [draw = of.draw](const DrawContext& context, const void* data, void* resources) {
-    draw(context, *static_cast<const Data*>(data), *static_cast<Resources*>(resources));
+    if (draw) draw(context, *static_cast<const Data*>(data), *static_cast<Resources*>(resources));
   };
   any.release = [release = of.release](const Gl& gl, void* resources) {
     const std::unique_ptr<Resources> owned(static_cast<Resources*>(resources));

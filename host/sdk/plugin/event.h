@@ -46,6 +46,7 @@ class Subscription {
   Subscription(const PlinianHost& host, std::weak_ptr<const bool> alive, const std::string& kind,
                std::function<void(const Event&)> callback)
       : state_(std::make_unique<State>(State{&host, std::move(alive), std::move(callback), 0})) {
+    if (!state_->callback) throw Error("the event '" + kind + "' is given no function to call");
     state_->number =
         host.subscribe(host.self, kind.c_str(), state_.get(), [](void* user, const PlinianEvent* plain) {
           State& state = *static_cast<State*>(user);

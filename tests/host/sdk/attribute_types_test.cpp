@@ -52,7 +52,7 @@ TEST(AttributeTypes, TheReadmeNamesTheFieldsInTheOrderInWhichTheyAreDeclared) {
   const std::string begin = "struct AttributeSpec {\n";
   const std::size_t at = header.find(begin) + begin.size();
   const std::string body =
-      std::regex_replace(header.substr(at, header.find("};", at) - at), std::regex("//[^\n]*"), "");
+      std::regex_replace(header.substr(at, header.find("\n};", at) - at), std::regex("//[^\n]*"), "");
   std::vector<std::string> declared, named;
   const std::regex field("(\\w+)(?: = [^,;]+|\\{\\})?[,;]"), quoted("`(\\w+)`");
   for (std::sregex_iterator match(body.begin(), body.end(), field), none; match != none; ++match)

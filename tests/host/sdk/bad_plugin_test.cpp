@@ -1,6 +1,7 @@
 // Plug-ins that are unfit: each is refused with one line, and leaves nothing behind.
 #include <fstream>
 
+#include "host/sdk/contribution.h"
 #include "tests/core/scene/temporary_folder.h"
 #include "tests/host/sdk/plugin_session.h"
 
@@ -85,6 +86,10 @@ TEST(BadPlugin, AContributionThatFailsIsAnErrorOfItsNodeAlone) {
   EXPECT_EQ(error("light"), "x.contribution: a light 'sun': its toward has no length");
   EXPECT_EQ(error("matrix"),
             "x.contribution: a camera: its object_from_camera is no transform that could be taken back");
+  EXPECT_EQ(error("mirrored"),
+            "x.contribution: a camera: its object_from_camera mirrors: give it a rotation and a translation");
+  EXPECT_EQ(error("empty"),
+            "x.contribution: a volume needs a function that fills it: VolumeSource::fill is empty");
   EXPECT_EQ(error("bounds"), "x.contribution: bounds must be finite, the minimum below the maximum");
   s.session.evaluator().take_reports();
   s.run("setAttr x.how throws");
@@ -109,6 +114,47 @@ TEST(BadPlugin, AnAttributeThatWasNeverAddedIsAnErrorOfItsNode) {
               std::string::npos)
         << message;
   }
+}
+
+// What it sees stays where it was; what is not a camera's is left out.
+TEST(BadPlugin, ACameraThatScalesOrShearsIsMadeRigidAndToldOf) {
+  PluginSession s;
+  std::vector<std::string> warnings;
+  s.session.on_warning = [&](const std::string& line) { warnings.push_back(line); };
+  s.run("loadPlugin bad_contribute\ncreateNode sky -name x\nsetAttr x.how sheared");
+  const graph::ResultPtr result = s.session.evaluator().evaluate(s.session.graph().plug("x.contribution"));
+  const dmat4 camera = contribution_in(result->value)->cameras.at(0).camera.world_from_camera;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(glm::dot(dvec3(camera[i]), dvec3(camera[k])), i == k ? 1.0 : 0.0, 1e-12) << i << k;
+  EXPECT_EQ(dvec3(camera[3]), dvec3(5, 6, 7));
+  EXPECT_EQ(dvec3(camera[2]), dvec3(0, 0, 1)) << "it looks where it looked";
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0],
+            "x.contribution: a camera: its object_from_camera scales or shears, which is left out: give it a "
+            "rotation and a translation");
+}
+
+TEST(BadPlugin, WhatACommandThrowsIsToldWithItsName) {
+  PluginSession s;
+  s.run("loadPlugin bad_command");
+  EXPECT_EQ(s.refusal("stumble number"), "stumble: stoi");
+  EXPECT_EQ(s.refusal("stumble other"), "stumble: failed without saying why");
+  EXPECT_EQ(s.refusal("stumble inner"), "stumble: there is no node 'nobody'");
+  EXPECT_EQ(s.refusal("stumble named"), "stumble: not today");
+}
+
+TEST(BadPlugin, FunctionsThatAreEmptyAreRefusedWhenTheyAreRegistered) {
+  PluginSession s;
+  const std::string file = PLINIAN_TEST_PLUGINS "/";
+  EXPECT_EQ(s.refusal("loadPlugin empty_command"),
+            file + "empty_command.so: failed to initialise: the command 'nothing' does nothing");
+  EXPECT_EQ(s.refusal("loadPlugin empty_data"), file +
+                                                    "empty_data.so: failed to initialise: the data type "
+                                                    "'nothing' needs functions to write and to read it");
+  EXPECT_EQ(
+      s.refusal("loadPlugin empty_event"),
+      file + "empty_event.so: failed to initialise: the event 'timeChanged' is given no function to call");
 }
 
 }  // namespace

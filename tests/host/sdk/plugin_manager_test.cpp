@@ -36,7 +36,8 @@ TEST(PluginManager, ItsCommandsAreOneStepOfUndo) {
   EXPECT_EQ(s.run("wobbleAll 7 a b\ngetAttr a.amount\ngetAttr b.amount"), "done\n7\n7");
   EXPECT_EQ(s.run("undo\ngetAttr a.amount\ngetAttr b.amount"), "wobbleAll 7 a b\n1\n1");
   // What fails halfway is taken back, and says why in the words of the command that failed.
-  EXPECT_EQ(message_of([&] { s.session.execute("wobbleAll 9 a nobody"); }), "there is no node 'nobody'");
+  EXPECT_EQ(message_of([&] { s.session.execute("wobbleAll 9 a nobody"); }),
+            "wobbleAll: there is no node 'nobody'");
   EXPECT_EQ(s.run("getAttr a.amount"), "1");
   EXPECT_EQ(message_of([&] { s.session.execute("wobbleAll much a"); }),
             "wobbleAll: AMOUNT expects a number, not 'much'");

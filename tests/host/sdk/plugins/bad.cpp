@@ -39,6 +39,15 @@ static void initialise(plinian::sdk::Plugin& plugin) {
     if (context.text(how) == "volume") out.add(Medium{});
     if (context.text(how) == "light") out.add(Light{.name = "sun", .toward = {0, 0, 0}});
     if (context.text(how) == "matrix") out.add(Camera{.object_from_camera = scaled(0.0)});
+    if (context.text(how) == "sheared")
+      out.add(Camera{.object_from_camera = {2, 0, 0, 0, 0.5, 1, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1}});
+    if (context.text(how) == "mirrored")
+      out.add(Camera{.object_from_camera = {-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}});
+    if (context.text(how) == "empty") {
+      VolumeSource source;
+      source.count = {8, 8, 8};
+      context.make_volume(source);
+    }
     if (context.text(how) == "bounds") out.add_bounds({1, 0, 0}, {0, 0, 0});
   };
   plugin.add(type);
@@ -76,6 +85,27 @@ static void initialise(plinian::sdk::Plugin& plugin) {
   using namespace plinian::sdk;
   plugin.on("timeChanged", [](const Event&) {});
   plugin.on("tomeChanged", [](const Event&) {});
+}
+PLINIAN_PLUGIN("bad", "1.0", "Nobody", "", initialise);
+#elif defined(BAD_COMMAND)
+// Fit to be loaded; its command fails, each time in another way.
+static void initialise(plinian::sdk::Plugin& plugin) {
+  using namespace plinian::sdk;
+  plugin.add(Command{.name = "stumble", .parameters = {{.name = "how"}}, .run = [](Call& call) {
+                       const std::string how = call.words("how").at(0);
+                       if (how == "number") std::stoi("no number");
+                       if (how == "other") throw 7;
+                       if (how == "inner") call.execute("delete nobody");
+                       if (how == "named") throw Error("stumble: not today");
+                     }});
+}
+PLINIAN_PLUGIN("bad", "1.0", "Nobody", "command:stumble", initialise);
+#elif defined(BAD_EMPTY)
+static void initialise(plinian::sdk::Plugin& plugin) {
+  using namespace plinian::sdk;
+  if (BAD_EMPTY == 1) plugin.add(Command{.name = "nothing"});
+  if (BAD_EMPTY == 2) plugin.add(DataType::of<int>("nothing", {}, {}));
+  if (BAD_EMPTY == 3) plugin.on("timeChanged", {});
 }
 PLINIAN_PLUGIN("bad", "1.0", "Nobody", "", initialise);
 #elif defined(BAD_DESCRIPTION)
