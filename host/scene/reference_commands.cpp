@@ -1,7 +1,10 @@
 // loadReference: the picture that others are compared with, or the plate behind them.
+#include <filesystem>
+
 #include "core/media/frame_sequence.h"
 #include "host/graph/graph_error.h"
 #include "host/graph/model/conversion.h"
+#include "host/graph/values/file_path.h"
 #include "host/scene/scene_commands.h"
 
 namespace plinian::scene {
@@ -18,7 +21,20 @@ bool is_plate(const graph::Node& node) {
 }
 
 // A scene is compared with one picture and has one plate: who loads another means it instead.
+void check_picture(const Session& session, const std::string& file) {
+  const std::string path = graph::expand_path(file, session.scene_folder());
+  std::error_code error;
+  if (std::filesystem::is_regular_file(path, error)) return;
+  if (std::filesystem::is_directory(path, error))
+    throw graph::GraphError("loadReference: " + path + ": is a folder, no picture");
+  const auto pattern = FramePattern::parse(path);
+  if (pattern && !pattern->frames_on_disk().empty()) return;
+  throw graph::GraphError("loadReference: " + path +
+                          (pattern ? ": no file of that sequence is there" : ": there is no such file"));
+}
+
 CommandResult load_reference(Session& session, const Arguments& arguments) {
+  check_picture(session, arguments.text("file"));
   const bool plate = arguments.has("plate");
   std::string name;
   for (const graph::Node* node : session.graph().nodes())

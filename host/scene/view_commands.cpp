@@ -2,11 +2,13 @@
 #include <fmt/format.h>
 
 #include "core/scene/framing.h"
+#include "core/scene/nearest_word.h"
 #include "core/scene/placement.h"
 #include "core/scene/scene_hash.h"
 #include "host/graph/graph_error.h"
 #include "host/scene/placed.h"
 #include "host/scene/scene_commands.h"
+#include "host/sdk/contribution.h"
 
 namespace plinian::scene {
 
@@ -34,6 +36,13 @@ CommandResult isolate(Workspace& workspace, const Arguments& arguments) {
   return {};
 }
 
+bool is_camera(Session& session, const graph::Node& node) {
+  const graph::AttributeIndex output = sdk::contribution_of(*node.type);
+  if (output == graph::no_attribute || node.schema->find("translate") == graph::no_attribute) return false;
+  const graph::ResultPtr result = session.evaluator().evaluate({node.id, output});
+  return result->error || !sdk::contribution_in(result->value)->cameras.empty();
+}
+
 // Moves the camera that is looked through, as the artist's hand would.
 CommandResult frame_view(Workspace& workspace, const Arguments& arguments) {
   Session& session = workspace.session();
@@ -54,8 +63,16 @@ CommandResult frame_view(Workspace& workspace, const Arguments& arguments) {
     if (!camera) camera = first_of_type(session.graph(), "camera");
   }
   if (!camera) throw GraphError("frameView: the scene has no camera: createNode camera makes one");
+  if (!is_camera(session, *camera))
+    throw GraphError("frameView: " + camera->name + " (" + camera->type->name() + ") is no camera");
   view.camera = camera->id;
   const BuiltSnapshot now = build_snapshot(session, view);
+  if (now.snapshot.media.empty()) {
+    const std::string why = now.problems.empty() ? std::string() : ": " + now.problems.front();
+    throw GraphError(arguments.has("nodes")
+                         ? "frameView: there is no volume to frame in " + join(arguments.texts("nodes")) + why
+                         : "frameView: there is nothing to frame: no volume is shown" + why);
+  }
   const SceneBounds bounds = scene_bounds(now.snapshot.media);
   // From where it stands, unless it is told.
   const dvec3 back(now.snapshot.camera.world_from_camera[2]);

@@ -211,5 +211,46 @@ TEST(Snapshot, AFrameChangeRunsWhatDependsOnTimeAndNothingElse) {
   EXPECT_EQ(w.computes(), all) << "scrubbing back is free";
 }
 
+TEST(Snapshot, WhatNeedsANodeOfAnUnknownTypeIsLeftOutWhereThatIsAskedFor) {
+  TemporaryFolder folder;
+  const std::string file = folder.write("a.plinian", R"(plinian scene 1.0
+node cloudMaker maker
+node atfmVolume whole
+  .draw box
+node atfmVolume fed
+  .volume <- maker.out
+node atfmVolume tinted
+  .draw box
+  .medium <- maker.look
+end
+)");
+  TestWorkspace w;
+  w.run("open \"" + file + "\"");
+  EXPECT_EQ(w.build().problems, std::vector<std::string>{"fed.contribution: no volume is connected"});
+  w.view().skip_unknown = true;
+  const BuiltSnapshot built = w.build();
+  EXPECT_TRUE(built.problems.empty());
+  EXPECT_EQ(built.snapshot.media.size(), 2u);
+  EXPECT_EQ(
+      built.left_out,
+      (std::vector<std::string>{
+          "fed is left out: it needs maker, whose type 'cloudMaker' is not known here",
+          "tinted is shown without what it takes from maker, whose type 'cloudMaker' is not known here"}));
+  // What fails by itself still fails.
+  w.run("createNode atfmVolume -name own");
+  EXPECT_EQ(w.build().problems, std::vector<std::string>{"own.contribution: no volume is connected"});
+}
+
+TEST(Snapshot, ACameraUnderAShearStaysRigid) {
+  TestWorkspace w;
+  w.run(
+      "createNode transform -name t\nsetAttr t.scale 1 3 1\ncreateNode transform -name turned -parent t\n"
+      "setAttr turned.rotate 0 0 30\ncreateNode camera -name c -parent turned");
+  const dmat4 camera = w.snapshot().camera.world_from_camera;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(glm::dot(dvec3(camera[i]), dvec3(camera[k])), i == k ? 1.0 : 0.0, 1e-12) << i << k;
+}
+
 }  // namespace
 }  // namespace plinian::scene

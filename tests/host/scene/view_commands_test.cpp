@@ -45,5 +45,29 @@ TEST(ViewCommands, IsolateAndSnapshotTellWhatIsSeen) {
   EXPECT_NE(w.run("snapshot"), isolated);
 }
 
+TEST(ViewCommands, FrameViewRefusesWhatCannotBeFramed) {
+  TestWorkspace w;
+  EXPECT_EQ(w.refusal("frameView"), "frameView: the scene has no camera: createNode camera makes one");
+  w.run("createNode camera -name c\ncreateNode directionalLight -name sun");
+  EXPECT_EQ(w.refusal("frameView"), "frameView: there is nothing to frame: no volume is shown");
+  w.run("createNode atfmVolume -name a\nsetAttr a.draw box");
+  EXPECT_EQ(w.refusal("frameView sun"), "frameView: there is no volume to frame in sun");
+  EXPECT_EQ(w.refusal("frameView -camera sun"), "frameView: sun (directionalLight) is no camera");
+  w.run("setAttr a.draw volume");
+  EXPECT_EQ(
+      w.refusal("frameView"),
+      "frameView: there is nothing to frame: no volume is shown: a.contribution: no volume is connected");
+}
+
+TEST(ViewCommands, AReferenceHasToBeThere) {
+  TemporaryFolder folder;
+  TestWorkspace w;
+  EXPECT_EQ(w.refusal("loadReference \"" + folder / "missing.exr" + "\""),
+            "loadReference: " + folder / "missing.exr" + ": there is no such file");
+  EXPECT_EQ(w.refusal("loadReference \"" + folder / "ref.####.exr" + "\""),
+            "loadReference: " + folder / "ref.####.exr" + ": no file of that sequence is there");
+  EXPECT_EQ(w.run("ls -type referenceImage"), "");
+}
+
 }  // namespace
 }  // namespace plinian::scene
