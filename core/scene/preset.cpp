@@ -61,6 +61,16 @@ std::string find_preset(const std::string& name, const std::vector<std::string>&
                   names.empty() ? "none (looked in " + join(folders) + ")" : join(names)));
 }
 
+// Says that a preset is not the one that comes with the program under its name: in the last of the folders.
+void warn_of_shadow(const std::string& name, const std::vector<std::string>& folders, Preset& preset) {
+  if (folders.size() < 2 || name.find('/') != name.npos || name.ends_with(".json")) return;
+  const fs::path shipped = fs::path(folders.back()) / (name + ".json");
+  std::error_code error;
+  if (preset.path != shipped.string() && fs::is_regular_file(shipped, error))
+    preset.warnings.push_back(
+        fmt::format("{}: stands in for the preset '{}' that comes with the program", preset.path, name));
+}
+
 Preset load(const std::string& name_or_path, const std::vector<std::string>& folders,
             const std::string& stands_on_it, int depth) {
   if (depth > max_bases)
@@ -68,6 +78,7 @@ Preset load(const std::string& name_or_path, const std::vector<std::string>& fol
   Preset preset;
   preset.path = find_preset(name_or_path, folders, stands_on_it);
   const std::string& path = preset.path;
+  warn_of_shadow(name_or_path, folders, preset);
   const json file = read_json_file(path);
   const bool newer = checked_minor(file, path) > preset_minor;
 

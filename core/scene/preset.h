@@ -16,7 +16,8 @@ namespace plinian {
 struct Preset {
   Quality quality;
   std::string path;                   // of the file
-  std::vector<std::string> warnings;  // keys of a newer minor version that were left aside
+  std::vector<std::string> warnings;  // keys of a newer minor version that were left aside; that it stands in
+                                      // for the program's own of that name
 };
 
 inline constexpr int preset_major = 1, preset_minor = 0;  // of the format that this program writes

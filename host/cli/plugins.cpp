@@ -7,10 +7,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "core/scene/nearest_word.h"
 #include "host/cli/command.h"
 #include "host/cli/console.h"
 #include "host/cli/render_command.h"
+#include "host/cli/type_description.h"
 #include "host/graph/graph_error.h"
 #include "host/scene/workspace.h"
 #include "host/sdk/plugin_description.h"
@@ -91,44 +91,52 @@ int list_plugins(const std::vector<Found>& all, const sdk::PluginManager& plugin
   return exit_success;
 }
 
-// One attribute and what is in it.
-void describe_attribute(const graph::Schema& schema, graph::AttributeIndex index, std::string& text) {
-  const graph::SchemaAttribute& attribute = schema[index];
-  const graph::AttributeSpec& spec = attribute.spec;
-  if (spec.hidden) return;
-  std::string line =
-      fmt::format("  {:<32} {}{}", attribute.path, graph::type_name(spec.type), spec.array ? "[]" : "");
-  if (spec.type == graph::AttributeType::choice) line += ": " + graph::choices_text(spec);
-  if (!spec.unit.empty()) line += " [" + spec.unit + "]";
-  const bool has_text = spec.type != graph::AttributeType::compound &&
-                        spec.type != graph::AttributeType::data && spec.type != graph::AttributeType::node &&
-                        spec.type != graph::AttributeType::matrix;
-  if (spec.output)
-    line += " (output)";
-  else if (has_text && !spec.array)
-    line += " (" + graph::write_value(spec, spec.default_value) + ")";
-  text += line + "\n";
-  if (!spec.help.empty()) text += fmt::format("  {:<32}   {}\n", "", spec.help);
-  for (const graph::AttributeIndex child : attribute.children) describe_attribute(schema, child, text);
+void print_json(const ordered_json& report) {
+  print(report.dump(2) + "\n");
 }
 
-int list_types(graph::Session& session) {
+int list_types(graph::Session& session, bool as_json) {
+  ordered_json report = {{"types", ordered_json::array()}};
   for (const std::string& name : session.types().names()) {
     const graph::NodeTypeSpec& spec = session.types().get(name)->spec();
-    print(fmt::format("{:<18} {:<8} {}\n", name, spec.plugin, spec.help));
+    report["types"].push_back(
+        {{"name", name}, {"version", spec.version}, {"plugin", spec.plugin}, {"help", spec.help}});
+    if (!as_json) print(fmt::format("{:<18} {:<8} {}\n", name, spec.plugin, spec.help));
   }
+  if (as_json) print_json(report);
   return exit_success;
 }
 
-int describe_type(graph::Session& session, const std::string& name) {
-  const graph::NodeTypePtr type = session.types().get(name);
-  const std::string plugin = type->spec().plugin;
-  std::string text =
-      fmt::format("{}, version {}, {}: {}\n", type->name(), type->version(),
-                  plugin.empty() ? "part of the program" : "of the plug-in " + plugin, type->spec().help);
-  for (const graph::AttributeIndex index : type->schema()->top())
-    describe_attribute(*type->schema(), index, text);
-  print(text);
+int list_commands(graph::Session& session, bool as_json) {
+  ordered_json report = {{"commands", ordered_json::array()}};
+  for (const std::string& name : session.commands().names())
+    report["commands"].push_back({{"name", name}, {"help", session.commands().get(name).help}});
+  if (as_json) print_json(report);
+  if (!as_json)
+    for (const std::string& line : session.execute("help")) print(line + "\n");
+  return exit_success;
+}
+
+int describe_command(graph::Session& session, const std::string& name, bool as_json) {
+  const graph::CommandSpec& spec = session.commands().get(name);
+  if (!as_json) {
+    for (const std::string& line : graph::help_lines(spec)) print(line + "\n");
+    return exit_success;
+  }
+  ordered_json report = {{"name", spec.name},
+                         {"usage", graph::usage(spec)},
+                         {"help", spec.help},
+                         {"parameters", ordered_json::array()},
+                         {"flags", ordered_json::array()}};
+  for (const graph::CommandParameter& parameter : spec.parameters)
+    report["parameters"].push_back({{"name", parameter.name},
+                                    {"help", parameter.help},
+                                    {"optional", parameter.optional},
+                                    {"many", parameter.many}});
+  for (const graph::CommandFlag& flag : spec.flags)
+    report["flags"].push_back(
+        {{"name", flag.name}, {"help", flag.help}, {"takes_word", flag.takes.has_value()}});
+  print_json(report);
   return exit_success;
 }
 
@@ -148,16 +156,18 @@ int run_plugins(const PluginsArguments& arguments) {
   graph::Session& session = workspace.session();
   if (!arguments.type.empty()) {
     if (!session.types().find(arguments.type)) load_bringer(workspace, "node:" + arguments.type);
-    return describe_type(session, arguments.type);
+    const graph::NodeTypePtr type = session.types().get(arguments.type);
+    arguments.json ? print_json(type_json(*type)) : print(type_text(*type));
+    return exit_success;
   }
-  if (arguments.types) return list_types(session);
+  if (arguments.types) return list_types(session, arguments.json);
   const bool commands = arguments.commands || !arguments.command.empty();
   if (!commands) return list_plugins(plugins_of(workspace.plugins()), workspace.plugins(), arguments.json);
   const std::vector<std::string> known = session.commands().names();
   if (!arguments.command.empty() && std::find(known.begin(), known.end(), arguments.command) == known.end())
     load_bringer(workspace, "command:" + arguments.command);
-  for (const std::string& line : session.execute("help " + arguments.command)) print(line + "\n");
-  return exit_success;
+  return arguments.command.empty() ? list_commands(session, arguments.json)
+                                   : describe_command(session, arguments.command, arguments.json);
 }
 
 }  // namespace
@@ -169,7 +179,7 @@ Run set_up_plugins(CLI::App& app) {
   app.add_option("--type", arguments->type, "show the attributes of a node type")->type_name("NAME");
   app.add_flag("--commands", arguments->commands, "list the commands of scripts");
   app.add_option("--command", arguments->command, "show what a command takes")->type_name("NAME");
-  app.add_flag("--json", arguments->json, "the list of plug-ins for scripts");
+  app.add_flag("--json", arguments->json, "the same for scripts");
   return [arguments](const std::string&) { return run_plugins(*arguments); };
 }
 

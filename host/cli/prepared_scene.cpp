@@ -71,10 +71,39 @@ std::optional<std::string> placed_camera_of(const graph::Graph& graph, const std
   return node && node->type->name() == "camera" ? std::optional(node->name) : std::nullopt;
 }
 
+// A scene may call its cameras anything, or have none.
+std::string no_camera(const graph::Graph& graph, const SceneEdit& edit) {
+  std::vector<std::string> cameras;
+  for (const graph::Node* node : graph.nodes())
+    if (node->type->name() == "camera") cameras.push_back(node->name);
+  if (!cameras.empty())
+    return fmt::format("{}: no camera is called 'camera'; there are: {}", edit.where, join(cameras));
+  return edit.where +
+         ": the scene has no camera: the one that is placed to show everything cannot be set; a script with "
+         "createNode camera -name camera, frameView and save gives it one";
+}
+
+// What drives an attribute that is to be set for one picture, and what to do.
+void refuse_driven(const graph::Graph& graph, const graph::Plug& plug, const SceneEdit& edit) {
+  for (const graph::Plug& leaf : graph::leaf_plugs(graph, plug))
+    for (const graph::Input& input : graph.find(leaf.node)->inputs_of(leaf.attribute, leaf.element)) {
+      if (leaf.component >= 0 && input.component >= 0 && leaf.component != input.component) continue;
+      const graph::Node& driver = *graph.find(input.source.node);
+      const bool keyed = driver.type->name() == "animCurve";
+      throw std::runtime_error(
+          fmt::format("{}: {} is {} {}, which would win: a script with '{} {}' and save makes a scene in "
+                      "which it can be set",
+                      edit.where, graph.name_of(leaf), keyed ? "keyed by" : "driven by",
+                      keyed ? driver.name : graph.name_of(input.source), keyed ? "cutKey" : "disconnectAttr",
+                      graph.name_of(leaf)));
+    }
+}
+
 graph::Plug plug_of(const graph::Graph& graph, const SceneEdit& edit) {
   const auto dot = edit.key.find('.');
   const std::string node = edit.key.substr(0, dot);
   if (dot == edit.key.npos || !graph.find(node)) {
+    if (node == "camera" && dot != edit.key.npos) throw std::runtime_error(no_camera(graph, edit));
     std::vector<std::string> names;
     for (const graph::Node* known : graph.nodes()) names.push_back(known->name);
     throw std::runtime_error(fmt::format("{}: nothing is called '{}'{}; there are: map, view, {}", edit.where,
@@ -98,11 +127,13 @@ void open_scene(PreparedScene& scene, const SceneArguments& arguments) {
   scene::Workspace& workspace = *scene.workspace;
   const std::string set = set_of(arguments.preset);
   workspace.view().quality = set;
+  workspace.view().skip_unknown = arguments.skip_unknown;
   if (!arguments.size.empty()) workspace.view().size = parse_size(arguments.size);
   // The scene's own sets have the names fast and high.
   const bool foreign = arguments.preset != set;
   Preset preset;
   if (foreign) preset = load_preset(arguments.preset, preset_folders());
+  for (const std::string& warning : preset.warnings) warn(warning);
   std::vector<std::string> warnings;
   workspace.session().on_warning = [&](const std::string& line) { warnings.push_back(line); };
   workspace.session().open_scene(arguments.input);
@@ -191,6 +222,12 @@ void apply_edit(scene::Workspace& workspace, const SceneEdit& edit) {
     if (!set_quality(quality, edit.key, edit.value, edit.where))
       throw std::runtime_error(fmt::format("{}: unknown key{}; --help-quality lists them", edit.where,
                                            did_you_mean(edit.key, parameter_names(quality_parameters()))));
+    if (const graph::Node* settings = scene::first_of_type(session.graph(), "renderSettings")) {
+      const graph::Plug plug = graph::Graph::plug(*settings, workspace.view().quality + "." + edit.key);
+      refuse_driven(session.graph(), plug, edit);
+      if (const std::string problem = session.editor().set_problem(plug); !problem.empty())
+        throw std::runtime_error(edit.where + ": " + problem);
+    }
     return scene::write_quality(session, workspace.view().quality, quality);
   }
   if (const auto camera = placed_camera_of(session.graph(), edit.key)) {
@@ -203,6 +240,7 @@ void apply_edit(scene::Workspace& workspace, const SceneEdit& edit) {
     return;
   }
   const graph::Plug plug = plug_of(session.graph(), edit);
+  refuse_driven(session.graph(), plug, edit);
   // A look is put on as a whole: its name alone would change nothing.
   const bool look = edit.key.ends_with(".look");
   const graph::AttributeType type = session.graph().attribute(plug).spec.type;
@@ -246,6 +284,11 @@ SceneSnapshot take_snapshot(PreparedScene& scene) {
   }
   scene::BuiltSnapshot built = build_snapshot(session, scene.workspace->view());
   if (!built.problems.empty()) throw std::runtime_error(built.problems.front());
+  for (const std::string& line : built.left_out) {
+    if (std::find(scene.warnings.begin(), scene.warnings.end(), line) != scene.warnings.end()) continue;
+    warn(line);
+    scene.warnings.push_back(line);
+  }
   for (const std::string& line : built.notes) {
     if (std::find(scene.notes.begin(), scene.notes.end(), line) != scene.notes.end()) continue;  // of frames
     note(line);

@@ -24,7 +24,7 @@ graph::CommandResult render(scene::Workspace& workspace, Kept& kept, const graph
   RenderArguments arguments;
   arguments.passes = int(words.number("passes").value_or(0.0));
   arguments.pixels = words.text("pixels", "half");
-  if (arguments.passes < 0 || arguments.passes > 65536)
+  if (words.has("passes") && (arguments.passes < 1 || arguments.passes > 65536))
     throw graph::GraphError("render: -passes expects an integer from 1 to 65536");
   if (arguments.pixels != "half" && arguments.pixels != "float")
     throw graph::GraphError("render: -pixels expects half or float");
@@ -34,6 +34,7 @@ graph::CommandResult render(scene::Workspace& workspace, Kept& kept, const graph
                             ": load it with loadPlugin, or leave it out with "
                             "-skip_unknown");
   scene::SceneView view = workspace.view();
+  view.skip_unknown = words.has("skip_unknown");
   if (words.has("size")) view.size = parse_size(words.text("size"), "-size");
   const WriteOptions writing = write_options(arguments);
   const std::string output = words.text("file");
@@ -45,6 +46,8 @@ graph::CommandResult render(scene::Workspace& workspace, Kept& kept, const graph
   }
   const scene::BuiltSnapshot built = build_snapshot(workspace.session(), view);
   if (!built.problems.empty()) throw graph::GraphError("render: " + built.problems.front());
+  for (const std::string& line : built.left_out)
+    if (kept.told.insert(line).second) workspace.session().warn(line);
   for (const std::string& line : built.notes)
     if (kept.told.insert(line).second) workspace.session().note(line);
   const Picture picture = make_picture(kept.renderer, built.snapshot, arguments, "", "rendering");

@@ -106,6 +106,10 @@ TEST(Preset, OfTheUserHidesTheInstalledOneOfThatNameAndMayStandOnIt) {
   const Preset fast = load_preset("fast", {folder.path().string(), shipped});
   EXPECT_EQ(fast.quality.map.resolution, 128);
   EXPECT_EQ(fast.quality.map.coefficients, 6);
+  EXPECT_EQ(fast.warnings,
+            std::vector<std::string>{folder / "fast.json" + ": stands in for the preset 'fast' that comes "
+                                                            "with the program"});
+  EXPECT_TRUE(load_preset("high", {folder.path().string(), shipped}).warnings.empty());
 }
 
 TEST(Preset, SurvivesBeingWrittenAndRead) {

@@ -229,6 +229,9 @@ TEST_F(Program, SwitchingTheQualitySetsBackAndForthGivesTheSamePictureToTheBit) 
   EXPECT_NE(pixels_of(picture("a.exr")), pixels_of(picture("b.exr")));
   folder_.write("bad.pln", "render a.jpeg2000");
   EXPECT_NE(run({"run", "bad.pln"}).err.find("bad.pln:1: render: "), std::string::npos);
+  folder_.write("none.pln", "render a.exr -passes 0");
+  EXPECT_NE(run({"run", "none.pln"}).err.find("-passes expects an integer from 1 to 65536"),
+            std::string::npos);
 }
 
 TEST_F(Program, ListsPluginsTypesAndCommands) {
@@ -246,6 +249,80 @@ TEST_F(Program, ListsPluginsTypesAndCommands) {
   EXPECT_NE(run({"plugins", "--commands"}).out.find("setAttr"), std::string::npos);
   EXPECT_NE(run({"plugins", "--command", "render"}).out.find("renderer"), std::string::npos);
   EXPECT_NE(run({"plugins", "--type", "mediun"}).err.find("(did you mean 'medium'?)"), std::string::npos);
+}
+
+TEST_F(Program, TellsAllOfAnAttributeForPeopleAndForScripts) {
+  const std::string text = run({"plugins", "--type", "medium"}).out;
+  EXPECT_NE(text.find("colour (0.8 0.8 0.8), 0 to 1, group Scattering, shown when "
+                      "coefficients=albedo_extinction\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find(", slider -8 to 8, group Emission"), std::string::npos) << text;
+  const json type = json::parse(run({"plugins", "--type", "medium", "--json"}).out);
+  EXPECT_EQ(type["name"], "medium");
+  bool found = false;
+  for (const json& attribute : type["attributes"]) {
+    EXPECT_NE(attribute["path"], "look_hash") << "it is hidden";
+    if (attribute["path"] != "extinction") continue;
+    found = true;
+    EXPECT_EQ(attribute["type"], "colour");
+    EXPECT_EQ(attribute["default"], "1 1 1");
+    EXPECT_EQ(attribute["minimum"], 0.0);
+    EXPECT_EQ(attribute["soft_maximum"], 10.0);
+    EXPECT_EQ(attribute["group"], "Scattering");
+    EXPECT_FALSE(attribute["unit"].get<std::string>().empty());
+    EXPECT_FALSE(attribute.contains("maximum"));
+  }
+  EXPECT_TRUE(found);
+  const json types = json::parse(run({"plugins", "--types", "--json"}).out);
+  EXPECT_GT(types["types"].size(), 10u);
+  const json command = json::parse(run({"plugins", "--command", "setKeyframe", "--json"}).out);
+  EXPECT_EQ(command["parameters"][0]["name"], "plugs");
+  EXPECT_TRUE(command["parameters"][0]["many"]);
+  EXPECT_GT(json::parse(run({"plugins", "--commands", "--json"}).out)["commands"].size(), 20u);
+}
+
+TEST_F(Program, WhatNeedsAMissingNodeIsLeftOutOfThePictureAndToldOf) {
+  folder_.write("a.plinian",
+                "plinian scene 1.0\nnode cloudMaker maker\nnode atfmVolume ball\n  .draw sphere\n"
+                "node atfmVolume fed\n  .volume <- maker.out\nend\n");
+  const std::vector<std::string> arguments = {"render", "a.plinian", "-o",    "a.exr",    "--renderer",
+                                              "cpu",    "--size",    "24x24", "--passes", "1"};
+  EXPECT_EQ(run(arguments).code, 1);
+  std::vector<std::string> skipping = arguments;
+  skipping.push_back("--skip-unknown");
+  const Ended ended = run(skipping);
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_NE(ended.err.find("fed is left out: it needs maker, whose type 'cloudMaker' is not known here"),
+            std::string::npos)
+      << ended.err;
+}
+
+TEST_F(Program, WhatCannotBeSetForOnePictureSaysWhyAndWhatToDo) {
+  folder_.write("make.pln",
+                "createNode atfmVolume -name a\nsetAttr a.draw sphere\ncreateNode medium -name m\n"
+                "connectAttr m.out a.medium\ncreateNode directionalLight -name sun\n"
+                "setKeyframe sun.rotate.y -value 3 -time 1\ncreateNode time -name other\n"
+                "connectAttr other.rate sun.intensity\ncreateNode renderSettings -name r\n"
+                "setKeyframe r.fast.map.threshold -time 1\nsave a.plinian\n");
+  ASSERT_EQ(run({"run", "make.pln"}).code, 0);
+  const auto refusal = [&](const std::string& set) {
+    const Ended ended = run({"render", "a.plinian", "-o", "a.exr", "--renderer", "cpu", "--set", set});
+    EXPECT_EQ(ended.code, 1);
+    return ended.err;
+  };
+  EXPECT_NE(refusal("sun.rotate.y=40")
+                .find("--set sun.rotate.y: sun.rotate.y is keyed by sun_rotate_y, which would win: a script "
+                      "with 'cutKey sun.rotate.y' and save"),
+            std::string::npos);
+  EXPECT_NE(
+      refusal("sun.intensity=2")
+          .find("is driven by other.rate, which would win: a script with 'disconnectAttr sun.intensity'"),
+      std::string::npos);
+  EXPECT_NE(refusal("map.threshold=0.5").find("is keyed by r_fast_map_threshold"), std::string::npos);
+  EXPECT_NE(refusal("camera.azimuth=40").find("--set camera.azimuth: the scene has no camera: "),
+            std::string::npos);
+  EXPECT_NE(refusal("camera.focal_length=40").find("the scene has no camera"), std::string::npos);
 }
 
 TEST_F(Program, TellsOfTypesAndCommandsOfPluginsThatAreFoundButNotLoaded) {
