@@ -48,6 +48,8 @@ class Share {
     if (!event.down) return true;
     if (keys_.contains(event.code) || decided_) return false;
     if (is_control(event.code) && text_) return false;
+    // Let go and pressed in one picture it would be held.
+    if (is_of_consequence(event) && released_.contains(event.code)) return false;
     // Let go meanwhile, which this picture is not told.
     if (control_ && !is_modifier(event.code) && !(event.modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)))
       return false;
@@ -63,6 +65,7 @@ class Share {
         wheeled_ = true;
         break;
       case InputEvent::Kind::key:
+        if (!event.down) released_.insert(event.code);
         if (event.repeat || !event.down) break;
         keys_.insert(event.code);
         decided_ = is_of_consequence(event);
@@ -81,7 +84,7 @@ class Share {
   void keep_back() { kept_back_ = true; }
 
  private:
-  std::set<int> buttons_, keys_;  // that changed, that were pressed
+  std::set<int> buttons_, keys_, released_;  // that changed; were pressed, let go
   bool wheeled_ = false, signs_ = false, decided_ = false, kept_back_ = false;
   bool text_ = false, control_ = false;  // were typed; was pressed
 };
@@ -91,6 +94,7 @@ class Share {
 std::vector<InputEvent> InputQueue::take() {
   std::vector<InputEvent> taken = std::exchange(kept_back_, {});
   Share share;
+  for (const InputEvent& event : taken) share.note(event);
   while (!waiting_.empty() && share.takes(waiting_.front())) {
     const InputEvent event = waiting_.front();
     waiting_.pop_front();

@@ -86,6 +86,12 @@ TEST(InputQueue, WhatFollowsAKeyOfConsequenceWaitsForIt) {
             (Told{"k256+", "k256- k257+", "k257- k65+ 'a", "k257+"}));
 }
 
+TEST(InputQueue, AKeyThatIsTappedTwiceIsSeenTwice) {
+  const int enter = GLFW_KEY_ENTER;
+  EXPECT_EQ(pictures({key(enter, true), key(enter, false), key(enter, true), key(enter, false)}),
+            (Told{"k257+", "k257-", "k257+", "k257-"}));
+}
+
 TEST(InputQueue, AChordIsOneOfConsequence) {
   EXPECT_EQ(pictures({key(GLFW_KEY_LEFT_CONTROL, true), key('Z', true, GLFW_MOD_CONTROL), key('Z', false),
                       key(GLFW_KEY_LEFT_CONTROL, false), motion(4)}),
