@@ -103,8 +103,9 @@ void draw_gate(const SceneSnapshot& scene, vec2 begin, vec2 size) {
   ImGui::GetWindowDrawList()->AddRect(to_im(begin), to_im(begin + size), with_alpha(quiet, 0.5f));
   const std::string text = fmt::format("{} x {}", scene.width, scene.height);
   const ImVec2 room = ImGui::CalcTextSize(text.c_str());
-  draw_text(begin + vec2(size.x - room.x - scaled(10), size.y - room.y - scaled(8)), with_alpha(quiet, 0.8f),
-            text);
+  // Over the line that reads out the pixel.
+  draw_text(begin + vec2(size.x - room.x - scaled(10), size.y - 2.0f * room.y - scaled(14)),
+            with_alpha(quiet, 0.8f), text);
 }
 
 // Whether the node, or one that it is under, is selected.

@@ -33,18 +33,23 @@ void LookGallery::show(Studio& studio, const PaneRect& pane) {
     asked_ = std::move(asks);
   }
   const auto pictures = studio.looks.pictures();
-  const float height = scaled(LookPictures::height), label = ImGui::GetTextLineHeight();
+  const float label = ImGui::GetTextLineHeight(), top = scaled(36);
+  const float room = pane.size.y - top - scaled(60) - snapshot_strip_height(studio);
+  // All of them are seen at once where there is any room for that.
+  const float others = label + scaled(12), head = label + scaled(24);
+  const float height = !pictures || pictures->empty()
+                           ? scaled(LookPictures::height)
+                           : std::clamp((room - head) / float(pictures->size()) - others, scaled(40),
+                                        scaled(LookPictures::height));
   float widest = scaled(90);
   if (pictures)
     for (const LookPicture& look : *pictures)
       if (look.picture)
         widest = std::max(widest, height * float(look.picture->width) / float(look.picture->height));
-  const float width = widest + scaled(22), top = scaled(36);
+  const float wanted = pictures ? float(pictures->size()) * (height + others) + head : scaled(70);
+  const float width = widest + scaled(22) + (wanted > room ? ImGui::GetStyle().ScrollbarSize : 0.0f);
   ImGui::SetNextWindowPos({pane.begin.x + pane.size.x - width - scaled(8), pane.begin.y + top});
-  ImGui::SetNextWindowSize(
-      {width, std::min(pane.size.y - top - scaled(60) - snapshot_strip_height(studio),
-                       pictures ? float(pictures->size()) * (height + label + scaled(12)) + label + scaled(24)
-                                : scaled(70))});
+  ImGui::SetNextWindowSize({width, std::min(room, wanted)});
   ImGui::SetNextWindowBgAlpha(0.75f);
   ImGui::Begin("##looks", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
