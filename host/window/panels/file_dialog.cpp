@@ -141,6 +141,7 @@ void FileDialog::show_head(Studio& studio) {
   const bool entered = ImGui::InputText("##path", path_, sizeof path_, ImGuiInputTextFlags_EnterReturnsTrue);
   path_active_ = ImGui::IsItemActive();
   note_item(studio.trace, "file path");
+  if (!path_active_) help(browser_.folder().string());
   if (!entered) return;
   browser_.type(path_);
   take();
