@@ -176,6 +176,23 @@ TEST_F(FilesSitting, HasRoomWhereTheDesktopIsTwiceAsLarge) {
     EXPECT_LE(place.y + place.w, 1000) << name;
     EXPECT_GE(place.w, 36) << name << " is twice as high";
   }
+
+  // A bookmark is forgotten by its cross.
+  const auto kept = [&] {
+    std::ifstream file(sitting.folder() / "config" / "plinian" / "bookmarks");
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  sitting.click(sitting.middle("bookmark this folder"));
+  const ivec2 cross = sitting.middle("forget shots");
+  EXPECT_EQ(kept(), shots_.string() + "\n");
+  sitting.move(cross);
+  sitting.wait_for_mouse(cross, 0);
+  sitting.wait_for(" still", sitting.now());
+  sitting.keep("files-forget.png");
+  sitting.click(cross);
+  sitting.move({5, 5});
+  sitting.wait_for(" still", sitting.now());
+  EXPECT_EQ(kept(), "");
 }
 
 }  // namespace
