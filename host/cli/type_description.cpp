@@ -34,11 +34,11 @@ bool has_default_text(const AttributeSpec& spec) {
          spec.type != AttributeType::matrix;
 }
 
-// "0 to 1", "at least 0", "at most 1"; empty where there is no end.
+// "from 0 to 1", ">= 0", "above -1 and below 1", as errors say it; empty where there is no end.
 std::string range_text(const std::optional<double>& low, const std::optional<double>& high) {
-  if (low && high) return graph::write_number(*low) + " to " + graph::write_number(*high);
-  if (low) return "at least " + graph::write_number(*low);
-  return high ? "at most " + graph::write_number(*high) : "";
+  const std::string text = graph::expectation({.name = "number", .minimum = low, .maximum = high});
+  const std::string begin = "a number ";
+  return text.starts_with(begin) ? text.substr(begin.size()) : "";
 }
 
 std::string shown_when(const AttributeSpec& spec) {
