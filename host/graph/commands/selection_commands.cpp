@@ -130,22 +130,23 @@ std::vector<Plug> matching_plugs(const Graph& graph, const std::vector<std::stri
     bool found = false;
     for (const NodeId id : matching_nodes(graph, {nodes})) {
       const Node& node = *graph.find(id);
-      std::vector<Plug> leaves;
+      std::vector<Plug> plugs;
       if (is_pattern(path)) {
-        leaves = leaves_of(graph, node);
-        std::erase_if(leaves,
-                      [&](const Plug& leaf) { return !matches(Graph::path_of(*node.schema, leaf), path); });
+        plugs = leaves_of(graph, node);
+        std::erase_if(plugs,
+                      [&](const Plug& plug) { return !matches(Graph::path_of(*node.schema, plug), path); });
       } else {
         try {
-          leaves = leaf_plugs(graph, Graph::plug(node, path));
+          plugs = {Graph::plug(node, path)};
         } catch (const GraphError&) {
           continue;  // others may have it
         }
       }
-      for (const Plug& leaf : leaves) {
-        if (!takes(leaf)) continue;
+      for (const Plug& plug : plugs) {
+        const std::vector<Plug> leaves = leaf_plugs(graph, plug);
+        if (leaves.empty() ? !takes(plug) : std::ranges::none_of(leaves, takes)) continue;
         found = true;
-        add(leaf);
+        add(plug);
       }
     }
     if (!found) throw GraphError("no attribute matches " + shown(pattern) + " that can be used here");

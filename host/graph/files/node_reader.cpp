@@ -200,7 +200,9 @@ NodeText NodeReader::read(const std::string& name, const std::vector<SceneLine>&
         throw GraphError("is no line of a node: " + shown(line.text));
       }
     } catch (const GraphError& error) {
-      fail(line.number, error.what());
+      if (!newer_) fail(line.number, error.what());
+      warn(line.number, name + ": " + error.what() + "; the line is kept as it is");
+      not_known.push_back(index);
     }
   }
   for (const AttributeSpec& spec : added) {

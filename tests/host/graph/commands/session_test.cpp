@@ -205,6 +205,9 @@ TEST(Session, PatternsNameAttributesOfManyNodes) {
   EXPECT_EQ(s.refusal("setAttr q*.a 1"), "no node matches 'q*'");
   EXPECT_EQ(s.refusal("setAttr x*.q* 1"), "no attribute matches 'x*.q*' that can be used here");
   EXPECT_EQ(s.refusal("setAttr x* 1"), "'x*' names no attribute: write NODE.ATTRIBUTE");
+  s.run("createNode transform -name t1\ncreateNode transform -name t2\nsetAttr t?.translate 1 2 3");
+  EXPECT_EQ(s.run("getAttr t2.translate"), "translate.x 1\ntranslate.y 2\ntranslate.z 3");
+  s.run("delete t?");
   // What cannot be animated is not meant.
   EXPECT_EQ(s.run("setKeyframe g.* -time 1"), "g_translate_x\ng_translate_y\ng_translate_z\ng_visibility");
   EXPECT_EQ(s.run("cutKey g.t*\ncutKey *.*"), "3\n1");
@@ -262,6 +265,15 @@ TEST(Session, ASecondNodeOfWhichASceneHasOneIsTold) {
   EXPECT_EQ(s.warnings, (std::vector<std::string>{
                             "time2 is another time, of which a scene has one: time1, the first, counts",
                             "time3 is another time, of which a scene has one: time1, the first, counts"}));
+}
+
+TEST(Session, ASceneWithTwoNodesOfWhichItHasOneSaysWhichCounts) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("two.plinian", "plinian scene 1.0\nnode time a\nnode time b\nend\n");
+  TestSession s;
+  s.run("open \"" + file + "\"");
+  EXPECT_EQ(s.warnings, std::vector<std::string>{
+                            file + ":3: b is another time, of which a scene has one: a, the first, counts"});
 }
 
 }  // namespace

@@ -247,5 +247,19 @@ TEST(UnknownNodes, LinesThatMeanNothingStayBetweenTheirNeighbours) {
       << write_scene(other.graph);
 }
 
+TEST(UnknownNodes, WhatANewerVersionMayAddIsKept) {
+  const std::string added = "  add tensor field rank 2\n";
+  std::string text = scene_with_plume();
+  text.insert(text.find("  .density 4"), added);
+  TestScene scene;
+  read_scene(text, "a.pln", scene.registry, scene.editor);
+  EXPECT_EQ(write_scene(scene.graph), text);
+  const std::vector<std::string> warnings = revive_nodes(scene.editor, scene.registry.add(plume()));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("unknown attribute type 'tensor'"), std::string::npos) << warnings[0];
+  EXPECT_EQ(scene.value("p.density"), Value(4.0f));
+  EXPECT_NE(write_scene(scene.graph).find(added), std::string::npos);
+}
+
 }  // namespace
 }  // namespace plinian::graph
