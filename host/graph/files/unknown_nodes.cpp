@@ -55,6 +55,12 @@ std::vector<std::string> revive_nodes(Editor& editor, const NodeTypePtr& type) {
     section.plugin_version = before.plugin_version;
     section.lines = lines_of(before.lines);
   }
+  const NodeTypeSpec& here = type->spec();
+  if (before.plugin == here.plugin &&
+      version_numbers(before.plugin_version) > version_numbers(here.plugin_version))
+    warnings.push_back("nodes of the type '" + here.name + "' were saved with version " +
+                       before.plugin_version + " of the plug-in '" + here.plugin + "', here is " +
+                       here.plugin_version + ": what is not known here is kept as it is");
   const NodeReader reader(type, section, true);
   const auto node_of = [&](std::string_view name) {
     const Node* node = graph.find(name);

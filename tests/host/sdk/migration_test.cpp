@@ -145,7 +145,13 @@ TEST(Migration, WhatANewerPluginSavedWithTheSameTypesStaysOfTheNewerOneToo) {
   std::ofstream(s.file) << newer;
   s.run("open \"" + s.file + "\"");
   EXPECT_EQ(s.saved(), newer);
+  s.warnings.clear();
   s.run("loadPlugin wobble");
+  ASSERT_EQ(s.warnings.size(), 2u) << "for each type";
+  EXPECT_EQ(
+      s.warnings[0],
+      "nodes of the type 'wobble' were saved with version 1.7 of the plug-in 'wobble', here is 1.2: what "
+      "is not known here is kept as it is");
   EXPECT_EQ(s.saved(), newer);
   s.run("unloadPlugin -force wobble");
   EXPECT_EQ(s.saved(), newer);
