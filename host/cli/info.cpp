@@ -15,6 +15,7 @@
 #include "host/cli/info_scene.h"
 #include "host/cli/progress.h"
 #include "host/cli/scene_arguments.h"
+#include "host/scene/volume_options.h"
 
 namespace plinian::cli {
 
@@ -202,7 +203,7 @@ int run_info(const InfoArguments& arguments) {
   VdbOptions options;
   options.time_limit_s = arguments.time_limit_s;
   if (!arguments.memory_limit.empty())
-    options.memory_limit_bytes = parse_bytes(arguments.memory_limit, "--vdb-memory-limit");
+    options.memory_limit_bytes = scene::parse_bytes(arguments.memory_limit, "--vdb-memory-limit");
   VdbInfo info;
   try {
     ProgressBar bar("reading");

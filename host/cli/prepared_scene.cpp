@@ -24,6 +24,7 @@
 #include "host/scene/import_description.h"
 #include "host/scene/missing_types.h"
 #include "host/scene/quality_set.h"
+#include "host/scene/volume_options.h"
 
 namespace plinian::cli {
 
@@ -167,7 +168,7 @@ void import_input(PreparedScene& scene, const SceneArguments& arguments) {
   scene::ImportOptions options;
   options.vdb_time_limit_s = arguments.vdb_time_limit_s;
   if (!arguments.vdb_memory_limit.empty())
-    options.vdb_memory_limit_bytes = parse_bytes(arguments.vdb_memory_limit, "--vdb-memory-limit");
+    options.vdb_memory_limit_bytes = scene::parse_bytes(arguments.vdb_memory_limit, "--vdb-memory-limit");
   options.nodes_made = [&] {
     for (const SceneEdit& edit : of_nodes) plug_of(workspace.session().graph(), edit);
   };

@@ -177,21 +177,6 @@ ivec2 parse_size(const std::string& text, const std::string& option) {
       fmt::format("{} {}: expected WIDTHxHEIGHT in pixels from 1 to 32768, such as 1280x720", option, text));
 }
 
-std::uint64_t parse_bytes(const std::string& text, const std::string& option) {
-  double number = 0.0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, number);
-  const std::string unit(rest, end);
-  const std::vector<std::pair<std::string, double>> units = {{"", 0},     {"K", 10},   {"KiB", 10},
-                                                             {"M", 20},   {"MiB", 20}, {"G", 30},
-                                                             {"GiB", 30}, {"T", 40},   {"TiB", 40}};
-  if (error == std::errc() && std::isfinite(number) && number > 0.0)
-    for (const auto& [name, power] : units)
-      if (unit == name && number * std::exp2(power) < 0x1p63) return std::uint64_t(number * std::exp2(power));
-  throw std::runtime_error(
-      fmt::format("{} {}: expected a number of bytes, such as 512M or 4G", option, text));
-}
-
 void refuse_script(const std::string& input) {
   if (input.ends_with(".pln"))
     throw std::runtime_error(fmt::format("{0}: is a script: 'plinian run {0}' runs it", input));

@@ -51,9 +51,6 @@ std::string scene_help();
 
 /// "512x256". Throws std::runtime_error that names the option.
 ivec2 parse_size(const std::string& text, const std::string& option = "--size");
-/// "512M", "2G", "1000000". Throws std::runtime_error that names the option.
-std::uint64_t parse_bytes(const std::string& text, const std::string& option);
-
 /// Says what to do with a script (.pln) where something else is wanted. Throws std::runtime_error.
 void refuse_script(const std::string& input);
 

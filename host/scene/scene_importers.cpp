@@ -13,32 +13,32 @@ namespace {
 
 // Advice for the command line, for scripts.
 std::string as_flags(std::string text) {
-  for (const VolumeOption& option : volume_options()) {
-    const std::string advised = "--" + std::string(option.name);
-    for (std::size_t at; (at = text.find(advised)) != text.npos;)
-      text.replace(at, advised.size(), "-" + flag_name(option));
-  }
+  std::vector<std::pair<std::string, std::string>> flags = {{"--vdb-time-limit", "-vdbTimeLimit"},
+                                                            {"--vdb-memory-limit", "-vdbMemoryLimit"}};
+  for (const VolumeOption& option : volume_options())
+    flags.emplace_back("--" + std::string(option.name), "-" + flag_name(option));
+  for (const auto& [advised, flag] : flags)
+    for (std::size_t at; (at = text.find(advised)) != text.npos;) text.replace(at, advised.size(), flag);
   return text;
 }
 
 graph::CommandResult import_input(graph::Session& session, const graph::Arguments& arguments, bool volume) {
   SceneDescription description = describe_input(arguments.text("file"));
-  for (const VolumeOption& option : volume_options())
-    if (const std::string flag = flag_name(option); arguments.has(flag)) {
-      try {
-        set_scene_value(description, option.key, arguments.text(flag), "import: -" + flag);
-      } catch (const graph::GraphError&) {
-        throw;
-      } catch (const std::runtime_error& error) {
-        throw graph::GraphError(error.what());
-      }
-    }
   ImportOptions options;
   options.name_space = arguments.text("namespace");
   options.media_only = volume && !arguments.has("setup");
   options.progress = session.on_progress;
+  options.vdb_time_limit_s = arguments.number("vdbTimeLimit").value_or(0.0);
+  if (arguments.has("vdbTimeLimit") && !(options.vdb_time_limit_s > 0.0))
+    throw graph::GraphError("import: -vdbTimeLimit expects a number of seconds above 0");
   ImportReport report;
   try {
+    for (const VolumeOption& option : volume_options())
+      if (const std::string flag = flag_name(option); arguments.has(flag))
+        set_scene_value(description, option.key, arguments.text(flag), "import: -" + flag);
+    if (arguments.has("vdbMemoryLimit"))
+      options.vdb_memory_limit_bytes =
+          parse_bytes(arguments.text("vdbMemoryLimit"), "import: -vdbMemoryLimit");
     report = import_description(session, description, options);
   } catch (const SceneLoadCancelled&) {
     throw;
@@ -67,6 +67,10 @@ void add_scene_importers(graph::Session& session) {
     declared.push_back(
         {flags.back(), option.value_name + std::string(": ") + option.help, graph::ArgumentKind::text});
   }
+  declared.push_back(
+      {"vdbTimeLimit", "SECONDS for reading a .vdb (grows with the file)", graph::ArgumentKind::number});
+  declared.push_back({"vdbMemoryLimit", "BYTES for reading a .vdb, such as 4G", graph::ArgumentKind::text});
+  flags.insert(flags.end(), {"vdbTimeLimit", "vdbMemoryLimit"});
   session.commands().add_flags("import", declared);
   session.file_types().add(
       {.name = "volume",

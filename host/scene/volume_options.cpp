@@ -1,7 +1,14 @@
-// The short names.
+// The short names, and what goes with them.
 #include "host/scene/volume_options.h"
 
+#include <fmt/format.h>
+
 #include <cctype>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace plinian::scene {
 
@@ -33,6 +40,21 @@ std::string flag_name(const VolumeOption& option) {
     raised = *c == '-';
   }
   return flag;
+}
+
+std::uint64_t parse_bytes(const std::string& text, const std::string& option) {
+  double number = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  const std::string unit(rest, end);
+  const std::vector<std::pair<std::string, double>> units = {{"", 0},     {"K", 10},   {"KiB", 10},
+                                                             {"M", 20},   {"MiB", 20}, {"G", 30},
+                                                             {"GiB", 30}, {"T", 40},   {"TiB", 40}};
+  if (error == std::errc() && std::isfinite(number) && number > 0.0)
+    for (const auto& [name, power] : units)
+      if (unit == name && number * std::exp2(power) < 0x1p63) return std::uint64_t(number * std::exp2(power));
+  throw std::runtime_error(
+      fmt::format("{} {}: expected a number of bytes, such as 512M or 4G", option, text));
 }
 
 }  // namespace plinian::scene

@@ -2,6 +2,7 @@
 // of import.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 
@@ -18,5 +19,8 @@ std::span<const VolumeOption> volume_options();
 
 /// The name as flags of commands are spelled: "levelSet".
 std::string flag_name(const VolumeOption& option);
+
+/// "512M", "2G", "1000000". Throws std::runtime_error that names the option.
+std::uint64_t parse_bytes(const std::string& text, const std::string& option);
 
 }  // namespace plinian::scene

@@ -36,6 +36,9 @@ constexpr const char* scene_extension = ".plinian";
 
 // The name of a scene that is to be written: by it every command knows that it is one.
 std::string scene_name(const std::string& command, const std::string& file, const std::string& others = "") {
+  std::error_code error;
+  if (std::filesystem::path(file).filename().empty() || std::filesystem::is_directory(file, error))
+    throw GraphError(command + ": " + file + ": is a folder: name a file in it");
   const std::string extension = std::filesystem::path(file).extension().string();
   if (extension == scene_extension) return file;
   if (extension.empty()) return file + scene_extension;

@@ -292,10 +292,18 @@ TEST(ImportCommand, TakesTheOptionsOfAVolumeThatRenderTakes) {
             "\"density\"\nz\n3\nfog");
   EXPECT_EQ(w.run("import ash -resolution 16 -seed 7 -namespace n\ngetAttr n:medium_noise.seed").substr(0, 8),
             "n:medium");
-  EXPECT_NE(w.refusal("import " + folder / "a.vdb" + " -grid heat").find("there is no grid \"heat\""), std::string::npos)
+  EXPECT_NE(w.refusal("import " + folder / "a.vdb" + " -grid heat").find("there is no grid \"heat\""),
+            std::string::npos)
       << w.refusal("import " + folder / "a.vdb" + " -grid heat");
   EXPECT_NE(w.refusal("import " + folder / "a.vdb" + " -upAxis up").find("import: -upAxis"),
             std::string::npos);
+  w.run("import " + folder / "a.vdb" + " -namespace limited -vdbTimeLimit 30 -vdbMemoryLimit 1G");
+  EXPECT_EQ(w.run("getAttr limited:medium_file.time_limit\ngetAttr limited:medium_file.memory_limit"),
+            "30\n1073741824");
+  EXPECT_EQ(w.refusal("import " + folder / "a.vdb" + " -vdbMemoryLimit much"),
+            "import: -vdbMemoryLimit much: expected a number of bytes, such as 512M or 4G");
+  EXPECT_EQ(w.refusal("import " + folder / "a.vdb" + " -vdbTimeLimit 0"),
+            "import: -vdbTimeLimit expects a number of seconds above 0");
   EXPECT_NE(w.refusal("import ash -grid density").find("only a .vdb file has one"), std::string::npos);
   EXPECT_NE(w.refusal("import ash -grd density").find("did you mean '-grid'?"), std::string::npos);
 }

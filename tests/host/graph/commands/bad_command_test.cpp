@@ -149,6 +149,8 @@ TEST_F(BadCommand, ASceneIsSavedUnderANameThatIsOne) {
   EXPECT_EQ(s.refusal("save /tmp/shot.vdb"), "save: /tmp/shot.vdb: the name of a scene ends in .plinian");
   EXPECT_EQ(s.refusal("export /tmp/shot.abc x"),
             "export: /tmp/shot.abc: the name of a scene ends in .plinian");
+  EXPECT_EQ(s.refusal("save /tmp"), "save: /tmp: is a folder: name a file in it");
+  EXPECT_EQ(s.refusal("export nowhere/ x"), "export: nowhere/: is a folder: name a file in it");
   EXPECT_EQ(s.refusal("import x.plinian -merge"),
             "import: -merge says what becomes of -namespace, which is not given");
 }
