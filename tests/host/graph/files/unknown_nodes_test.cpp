@@ -261,5 +261,47 @@ TEST(UnknownNodes, WhatANewerVersionMayAddIsKept) {
   EXPECT_NE(write_scene(scene.graph).find(added), std::string::npos);
 }
 
+TEST(UnknownNodes, HoweverNodesStandTheyAreSavedAsTheyStood) {
+  std::mt19937 random(5);
+  int warned = 0;
+  for (int run = 0; run < 300; ++run) {
+    // As somebody without the plug-in may have put them.
+    TestScene made;
+    const NodeTypePtr unknown = NodeType::unknown("plume", 2);
+    std::vector<NodeId> all;
+    for (int i = 0; i < 12; ++i) {
+      std::vector<NodeId> above = {{}};
+      for (const NodeId id : all)
+        if (made.graph.find(id)->type->spec().holds_children) above.push_back(id);
+      const unsigned kind = random() % 3;
+      const NodeTypePtr type = kind == 0 ? unknown : made.registry.get(kind == 1 ? "group" : "shape");
+      all.push_back(made.editor.create_node(type, "n1", above[random() % above.size()]));
+    }
+    const std::string text = write_scene(made.graph);
+
+    NodeTypeSpec spec = flat_plume();
+    spec.hierarchical = random() % 2;
+    TestScene opened;
+    const NodeTypePtr type = opened.registry.add(spec);
+    warned += read_scene(text, "a.pln", opened.registry, opened.editor).warnings.size() > 0;
+    const auto without_types = [](const std::string& scene) {
+      return scene.substr(scene.find("node "), scene.find("type ") - scene.find("node "));
+    };
+    ASSERT_EQ(without_types(write_scene(opened.graph)), without_types(text));
+    opened.registry.remove("plume");
+    forget_type(opened.editor, type);
+    ASSERT_EQ(without_types(write_scene(opened.graph)), without_types(text));
+    for (const Node* node : opened.graph.nodes()) ASSERT_FALSE(node->kept_parent) << node->name;
+    const NodeTypePtr again = opened.registry.add(spec);
+    revive_nodes(opened.editor, again);
+    ASSERT_EQ(without_types(write_scene(opened.graph)), without_types(text));
+    while (!opened.history.undo_names().empty()) opened.history.undo();
+    ASSERT_EQ(opened.graph.size(), 0u);
+    while (!opened.history.redo_names().empty()) opened.history.redo();
+    ASSERT_EQ(without_types(write_scene(opened.graph)), without_types(text));
+  }
+  EXPECT_GT(warned, 100);
+}
+
 }  // namespace
 }  // namespace plinian::graph
