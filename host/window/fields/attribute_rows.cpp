@@ -35,6 +35,7 @@ class Walk {
     const AttributeIndex other = node_.schema->find(spec.layout.shown_when);
     if (other == graph::no_attribute) return true;
     const std::string now = write_value((*node_.schema)[other].spec, node_.value(other));
+    if (spec.layout.shown_words.empty()) return !now.empty() && now != "false" && now != "0";
     return std::find(spec.layout.shown_words.begin(), spec.layout.shown_words.end(), now) !=
            spec.layout.shown_words.end();
   }

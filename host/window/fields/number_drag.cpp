@@ -56,7 +56,8 @@ NumberRange range_of(const graph::AttributeSpec& spec) {
                     spec.soft_minimum,
                     spec.soft_maximum,
                     spec.type == graph::AttributeType::integer,
-                    spec.layout.widget == "factor"};
+                    spec.layout.widget == "factor",
+                    spec.step};
   // A range that is closed on both sides is its own slider.
   if (!range.soft_minimum && (range.soft_maximum || range.maximum)) range.soft_minimum = range.minimum;
   if (!range.soft_maximum && range.soft_minimum) range.soft_maximum = range.maximum;
@@ -72,6 +73,8 @@ double dragged(const NumberRange& range, double start, double points, DragPace p
   if (range.whole) per_point = std::max(per_point, 0.1);
   if (pace == DragPace::fine) per_point *= 0.1;
   if (pace == DragPace::coarse) per_point *= 10.0;
+  if (range.step > 0.0)
+    return within(range, std::round((start + points * per_point) / range.step) * range.step, inside);
   // As round as the pace allows, so that what is read off is what was set.
   return within(range,
                 rounded_to(start + points * per_point, range.whole ? 1.0 : power_of_ten_under(per_point)),

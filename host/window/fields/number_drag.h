@@ -13,6 +13,7 @@ struct NumberRange {
   std::optional<double> soft_minimum, soft_maximum;  // where a drag ends
   bool whole = false;                                // takes whole numbers only
   bool factor = false;                               // a drag multiplies: a widget "factor"
+  double step = 0.0;                                 // that a drag goes in, from 0; 0: as round as its pace
 };
 NumberRange range_of(const graph::AttributeSpec& spec);
 

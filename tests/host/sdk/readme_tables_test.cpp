@@ -95,7 +95,7 @@ TEST(ReadmeTables, CallsOfAContextAreThere) {
        {"Volume volume(", "Volume volume_at(", "VolumeInfo info(", "std::vector<float> voxels(",
         "Volume make_volume(", "void set(Attribute a, Volume volume)"})
     EXPECT_NE(header.find(call), header.npos) << call;
-  for (const std::string& field :
+  for (const std::string field :
        {"first", "count", "object_from_index", "density_max", "temperature_max", "voxels"})
     EXPECT_TRUE(declared("host/sdk/plugin/volume.h", "VolumeInfo").contains(field)) << field;
 }

@@ -94,6 +94,15 @@ TEST(NumberDrag, LandsOnRoundNumbers) {
   EXPECT_EQ(dragged(whole, 3.0, 14.0, DragPace::usual), 4.0);
 }
 
+TEST(NumberDrag, GoesInTheStepsOfItsAttribute) {
+  NumberRange thirds = slider(0.0, 3.0);
+  thirds.step = 0.3;
+  EXPECT_NEAR(dragged(thirds, 0.0, 100.0, DragPace::usual), 0.9, 1e-9);
+  EXPECT_NEAR(dragged(thirds, 0.9, 10.0, DragPace::usual), 0.9, 1e-9);
+  EXPECT_NEAR(dragged(thirds, 0.9, 20.0, DragPace::usual), 1.2, 1e-9);
+  EXPECT_EQ(dragged(thirds, 0.9, 1e4, DragPace::usual), 3.0);
+}
+
 TEST(NumberDrag, ShowsNoMoreDigitsThanItNeeds) {
   EXPECT_EQ(shown_number(0.1f), "0.1");
   EXPECT_EQ(shown_number(-0.0), "0");

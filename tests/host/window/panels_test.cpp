@@ -48,6 +48,23 @@ TEST(AttributeRows, FollowTheDeclaration) {
   EXPECT_FALSE(row_of(groups(), "Sigma s")->changed);
 }
 
+TEST(AttributeRows, AreShownWhereASwitchIsOn) {
+  scene::Workspace workspace;
+  graph::Session& session = workspace.session();
+  graph::NodeTypeSpec spec;
+  spec.name = "lamp";
+  graph::AttributeSpec flag{.name = "flag", .type = graph::AttributeType::boolean, .default_value = false};
+  graph::AttributeSpec size{.name = "size"};
+  size.layout.shown_when = "flag";
+  spec.attributes = {flag, size};
+  session.types().add(std::move(spec));
+  session.execute("createNode lamp -name l");
+  const auto groups = [&] { return attribute_groups(session.graph(), session.graph().get("l")); };
+  EXPECT_EQ(row_of(groups(), "Size"), nullptr);
+  session.execute("setAttr l.flag on");
+  EXPECT_NE(row_of(groups(), "Size"), nullptr);
+}
+
 TEST(AttributeRows, ThreeNumbersUnderOneNameAreARowAndDeepOnesAGroup) {
   scene::Workspace workspace;
   graph::Session& session = workspace.session();
