@@ -51,7 +51,7 @@ TEST(ViewTransform, GammaIsAPowerOfWhatWouldBeShown) {
   const vec3 shown = ViewTransform(settings)(vec3(0.0f, 0.2f, 3.0f));
   EXPECT_EQ(shown.r, 0.0f);
   EXPECT_NEAR(shown.g, std::sqrt(view(View::srgb)(vec3(0.2f)).g), 1e-6f);
-  EXPECT_EQ(shown.b, 1.0f);
+  EXPECT_FLOAT_EQ(shown.b, 1.0f);
   EXPECT_EQ(ViewTransform(settings).description(), "sRGB, gamma 2");
   for (const float bad : {0.0f, -1.0f, nan, infinity}) {
     settings.gamma = bad;

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 class DaySitting : public testing::Test {
  protected:
-  static constexpr ivec2 size{1100, 640}, nowhere{600, 634};
+  static constexpr ivec2 size{960, 580}, nowhere{520, 574};
   void SetUp() override {
     if (const std::string problem = Sitting::problem(); !problem.empty()) GTEST_SKIP() << problem;
     PLINIAN_NEEDS_REAL_FILES();

@@ -42,7 +42,7 @@ TEST_F(ShowSitting, TheGalleryPutsALookOnAndUndoTakesItOff) {
   EXPECT_LT(psnr(one, other.rgb), 35.0);
   std::size_t before = sitting.now();
   sitting.click(explosion);
-  sitting.wait_for("ran preset apply explosion medium", before);
+  sitting.wait_for("ran preset apply \"explosion\" medium", before);
   sitting.move(nowhere);
   wait_for_rest(sitting, before);
   sitting.keep("gallery-2-explosion.png");
