@@ -13,7 +13,9 @@ class ShowSitting : public testing::Test {
   void SetUp() override {
     if (const std::string problem = Sitting::problem(); !problem.empty()) GTEST_SKIP() << problem;
     sitting_ = std::make_unique<Sitting>(std::vector<std::string>{"sphere"}, size);
+    sitting_->move(nowhere);
     wait_for_rest(*sitting_, 0);
+    sitting_->wait_for(" still", sitting_->now());
   }
   // What the palette finds first for those words.
   void take(const std::string& words, const std::string& found) {
