@@ -144,10 +144,12 @@ std::optional<Action> Interface::action_of(const Chord& chord) const {
   return std::nullopt;
 }
 
-// While a job runs, what is looked at goes on.
+// While a job runs, what is looked at goes on. Where nobody does anything, the job has the processor but for a
+// look at how far it is.
 void Interface::draw_meanwhile() {
+  constexpr auto glance = std::chrono::milliseconds(150);
   note_work(false);
-  window_.wait(0.0);
+  if (window_.wait(0.0)) redraws_ = 2;
   note_work(true);
   tell_input();
   for (const Chord& chord : window_.take_keys())
@@ -156,7 +158,10 @@ void Interface::draw_meanwhile() {
     else if (const auto action = action_of(chord); action && is_of_the_view(*action))
       window::act(studio_, *action);
   studio_.update_picture();
-  if (earliness() <= 0.0) draw();
+  const bool is_due = redraws_ > 0 || std::chrono::steady_clock::now() - drawn_ > glance;
+  if (!is_due || earliness() > 0.0) return;
+  draw();
+  --redraws_;
 }
 
 // Keys wait for a field that is about to take them.
