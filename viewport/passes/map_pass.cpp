@@ -14,9 +14,8 @@ struct EncodeBlock {
 
 bool MapPass::build(const SceneBlocks& blocks, const FlatScene& scene, int map, const gl::TexelBuffer& texels,
                     const std::function<bool()>& go_on) {
-  PacedProgram& paced = programs_[blocks.defines()];
-  gl::Program& program = paced.program;
-  if (!program) program = gl::make_compute_program("viewport/passes/map_pass.comp", blocks.defines());
+  PacedProgram& paced = programs_.get(blocks.defines());
+  const gl::Program& program = paced.program;
   const shared::EncodeControls& e = scene.encode;
   const EncodeBlock block{{e.adaptive, e.veil_proof, e.end_zero, e.refine_steps},
                           {e.kmin_transmittance, e.threshold, e.inverse_weighting, e.step}};

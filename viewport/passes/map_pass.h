@@ -2,11 +2,9 @@
 #pragma once
 
 #include <functional>
-#include <map>
 
 #include "core/integrate/flat_scene.h"
-#include "viewport/gl/shader.h"
-#include "viewport/passes/paced_tiles.h"
+#include "viewport/passes/program_cache.h"
 #include "viewport/passes/scene_blocks.h"
 
 namespace plinian::passes {
@@ -19,7 +17,7 @@ class MapPass {
              const std::function<bool()>& go_on);
 
  private:
-  std::map<gl::Defines, PacedProgram> programs_;
+  ProgramCache programs_{"viewport/passes/map_pass.comp"};
   gl::Buffer controls_;
 };
 

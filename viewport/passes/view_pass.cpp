@@ -30,9 +30,8 @@ bool ViewPass::render(const SceneBlocks& blocks, const FlatScene& flat, const Sc
   defines.insert(defines.end(), {{"PLANE_AMBIENT", std::to_string(layout.ambient)},
                                  {"PLANE_EMISSION", std::to_string(layout.emission)},
                                  {"PLANE_LIGHTS", std::to_string(layout.first_light)}});
-  PacedProgram& paced = programs_[defines];
-  gl::Program& program = paced.program;
-  if (!program) program = gl::make_compute_program("viewport/passes/view.comp", defines);
+  PacedProgram& paced = programs_.get(defines);
+  const gl::Program& program = paced.program;
   const CameraRays rays = camera_rays(scene.camera, scene.width, scene.height);
   const ivec2 end = box.first + box.size;
   const ViewBlock block{vec4(rays.origin, scene.camera.near_clip),

@@ -2,13 +2,11 @@
 #pragma once
 
 #include <functional>
-#include <map>
 
 #include "core/integrate/flat_scene.h"
 #include "core/scene/pixel_box.h"
 #include "core/scene/snapshot.h"
-#include "viewport/gl/shader.h"
-#include "viewport/passes/paced_tiles.h"
+#include "viewport/passes/program_cache.h"
 #include "viewport/passes/scene_blocks.h"
 
 namespace plinian::passes {
@@ -34,7 +32,7 @@ class ViewPass {
               const std::function<bool()>& go_on);
 
  private:
-  std::map<gl::Defines, PacedProgram> programs_;
+  ProgramCache programs_{"viewport/passes/view.comp"};
   gl::Buffer view_;
 };
 
