@@ -1,6 +1,7 @@
 // Checks and takes over what a shape adds. No exception leaves a function that a plug-in calls.
 #include "host/sdk/contribute_table.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "host/graph/graph_error.h"
@@ -46,6 +47,13 @@ class Reader {
       throw GraphError(what_ + ": its " + field + " cannot be " + graph::write_number(value));
     content_.add(double(value));
     return value;
+  }
+  /// Throws likewise unless it lies between the ends, which it cannot be; so near to one that pictures of it
+  /// could not be computed, it becomes what is nearest.
+  float between(const char* field, float value, float low, float high, float nearest_low,
+                float nearest_high) const {
+    number(field, value, std::nextafter(low, high), std::nextafter(high, low));
+    return std::clamp(value, nearest_low, nearest_high);
   }
   float positive(const char* field, float value) const { return number(field, value, 1e-30f); }
   float not_negative(const char* field, float value) const { return number(field, value, 0.0f); }
@@ -101,8 +109,8 @@ int add_medium(PlinianContribution* c, const PlinianMedium* plain) {
     medium.sigma_s = read.colour("sigma_s", from.sigma_s);
     medium.sigma_a = read.colour("sigma_a", from.sigma_a);
     medium.phase.kind = read.choice("phase", from.phase, PhaseKind::two_lobe);
-    medium.phase.g = read.number("g", from.g, -0.99999f, 0.99999f);
-    medium.phase.g_back = read.number("g_back", from.g_back, -0.99999f, 0.99999f);
+    medium.phase.g = read.between("g", from.g, -1.0f, 1.0f, -0.99999f, 0.99999f);
+    medium.phase.g_back = read.between("g_back", from.g_back, -1.0f, 1.0f, -0.99999f, 0.99999f);
     medium.phase.blend = read.number("blend", from.blend, 0.0f, 1.0f);
     medium.emission.scale = read.not_negative("emission_scale", from.emission_scale);
     medium.emission.exposure = read.number("emission_exposure", from.emission_exposure, -100.0f, 100.0f);
@@ -138,7 +146,7 @@ int add_light(PlinianContribution* c, const PlinianLight* plain) {
     light.falloff = read.choice("falloff", from.falloff, Falloff::none);
     light.radius = read.not_negative("radius", from.radius);
     if (light.type == LightType::spot) {
-      light.cone_angle = read.number("cone_angle", from.cone_angle, 0.001f, 179.0f);
+      light.cone_angle = read.between("cone_angle", from.cone_angle, 0.0f, 180.0f, 0.001f, 179.0f);
       light.penumbra = read.not_negative("penumbra", from.penumbra);
     }
     s.result.lights.push_back(std::move(light));

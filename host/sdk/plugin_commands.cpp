@@ -12,8 +12,11 @@ void add_plugin_commands(graph::CommandRegistry& commands, PluginManager& manage
                 .help = "Loads a plug-in and answers with its name.",
                 .parameters = {{"plugin", path, "name, or path of its library"}},
                 .run =
-                    [&manager](graph::Session&, const graph::Arguments& arguments) {
-                      return graph::CommandResult{manager.load(arguments.text("plugin"))};
+                    [&manager](graph::Session& session, const graph::Arguments& arguments) {
+                      bool already = false;
+                      const std::string name = manager.load(arguments.text("plugin"), &already);
+                      if (already) session.note("the plug-in '" + name + "' is loaded already");
+                      return graph::CommandResult{name};
                     },
                 .handles_history = true});
   commands.add({.name = "unloadPlugin",

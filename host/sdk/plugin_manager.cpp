@@ -74,7 +74,7 @@ PluginManager::~PluginManager() {
   remove_plugin_commands(session_.commands());
 }
 
-std::string PluginManager::load(const std::string& name_or_path) {
+std::string PluginManager::load(const std::string& name_or_path, bool* already) {
   auto library = std::make_unique<Library>(events_);
   library->path = search_.find(name_or_path);
   const auto refuse = [&](const std::string& why) -> GraphError {
@@ -88,6 +88,12 @@ std::string PluginManager::load(const std::string& name_or_path) {
   if (const std::string problem = abi_problem(description); !problem.empty()) throw refuse(problem);
   if (const auto loaded = libraries_.find(description.name); loaded != libraries_.end()) {
     if (revive(*loaded->second)) return description.name;
+    // A script that asks for it also works on a scene that brought it.
+    std::error_code ignored;
+    if (fs::equivalent(loaded->second->path, library->path, ignored)) {
+      if (already) *already = true;
+      return description.name;
+    }
     throw refuse("the plug-in '" + description.name + "' is loaded already, from " + loaded->second->path);
   }
 

@@ -36,8 +36,8 @@ class PluginManager {
   /// one of the folders. Nodes that were waiting for its types come alive. Returns its name. Throws
   /// GraphError, with file and reason, and leaves everything as it was: no such plug-in, no shared library,
   /// no description, another ABI, a missing symbol, a failure to initialise, a type or command or anything
-  /// else that exists already.
-  std::string load(const std::string& name_or_path);
+  /// else that exists already. Loading the same library once more does nothing; then `already` is set.
+  std::string load(const std::string& name_or_path, bool* already = nullptr);
 
   /// Registers a plug-in that is compiled into the program (PLINIAN_LINKED_PLUGIN): it cannot be unloaded,
   /// and scenes that use it do not ask for it. Returns its name. Throws as load() does.

@@ -38,6 +38,22 @@ TEST(Snapshot, ACameraUnderAScaleStaysRigid) {
   EXPECT_EQ(camera.near_clip, 1.0f);
 }
 
+// What the attribute editor clamps to must not be refused by whoever draws it.
+TEST(Snapshot, WhatIsSetToTheEndOfAnOpenRangeIsDrawn) {
+  TestWorkspace w;
+  w.run(
+      "createNode medium -name m\nsetAttr m.phase two_lobe\nsetAttr m.g 5\nsetAttr m.g_back -5\n"
+      "createNode atfmVolume -name ball\nsetAttr ball.draw sphere\nconnectAttr m.out ball.medium\n"
+      "createNode spotLight -name lamp\nsetAttr lamp.cone_angle 500");
+  const SceneSnapshot s = w.snapshot();
+  ASSERT_EQ(s.media.size(), 1u);
+  EXPECT_GT(s.media[0].phase.g, 0.9999f);
+  EXPECT_LT(s.media[0].phase.g, 1.0f);
+  EXPECT_LT(s.media[0].phase.g_back, -0.9999f);
+  ASSERT_EQ(s.lights.size(), 1u);
+  EXPECT_GE(s.lights[0].cone_angle, 179.0f);
+}
+
 TEST(Snapshot, WhatIsHiddenOrNotIsolatedIsNotInIt) {
   TestWorkspace w;
   w.run(
