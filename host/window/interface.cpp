@@ -144,8 +144,8 @@ std::optional<Action> Interface::action_of(const Chord& chord) const {
   return std::nullopt;
 }
 
-// While a job runs, what is looked at goes on. Where nobody does anything, the job has the processor but for a
-// look at how far it is.
+// While a job runs, what is looked at goes on. Where nobody does anything, the job has the processor but for
+// a look at how far it is.
 void Interface::draw_meanwhile() {
   constexpr auto glance = std::chrono::milliseconds(150);
   note_work(false);
