@@ -2,6 +2,7 @@
 #include "host/graph/commands/session.h"
 
 #include "core/files/atomic_file.h"
+#include "host/graph/edits/clear.h"
 #include "host/graph/files/scene_reader.h"
 #include "host/graph/files/scene_writer.h"
 #include "host/graph/graph_error.h"
@@ -70,19 +71,6 @@ CommandResult Session::execute(const CommandSpec& spec, const Arguments& argumen
   depth.failed = false;
   return result;
 }
-
-namespace {
-
-// Everything goes; one step, so that a failure to read what is to come instead brings it back.
-void clear_graph(Editor& editor) {
-  std::vector<NodeId> nodes;
-  for (const Node* node : editor.graph().nodes()) nodes.push_back(node->id);
-  editor.delete_nodes(nodes);
-  while (!editor.graph().kept_types().empty())
-    editor.set_kept_type(std::string(editor.graph().kept_types().begin()->first), std::nullopt);
-}
-
-}  // namespace
 
 void Session::new_scene() {
   tell(SceneMoment::before_new);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/scene/nearest_word.h"
+#include "host/graph/edits/clear.h"
 #include "host/graph/files/scene_reader.h"
 #include "host/graph/files/scene_writer.h"
 #include "host/graph/graph_error.h"
@@ -16,9 +17,7 @@ namespace {
 
 // What is open gives way to the scene of a snapshot; that is one edit, and undone as one.
 void restore(graph::Session& session, const Snapshot& snapshot) {
-  std::vector<graph::NodeId> nodes;
-  for (const graph::Node* node : session.graph().nodes()) nodes.push_back(node->id);
-  session.editor().delete_nodes(nodes);
+  graph::clear_graph(session.editor());
   for (const std::string& warning :
        graph::read_scene(snapshot.scene, snapshot.name, session.types(), session.editor()).warnings)
     session.warn(warning);

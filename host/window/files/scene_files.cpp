@@ -8,6 +8,7 @@
 #include "core/scene/resources.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/scene_loader.h"
+#include "host/graph/edits/clear.h"
 #include "host/graph/files/scene_writer.h"
 #include "host/scene/import_description.h"
 
@@ -124,9 +125,7 @@ void SceneFiles::open(const std::string& path) {
 // All that is there gives way, and comes back with one undo. A file that cannot be read changes nothing.
 bool SceneFiles::replace_by(const std::string& path) {
   graph::History::Scope scope(session().history(), "import " + path);
-  std::vector<graph::NodeId> nodes;
-  for (const graph::Node* node : session().graph().nodes()) nodes.push_back(node->id);
-  session().editor().delete_nodes(nodes);
+  graph::clear_graph(session().editor());
   session().time_node();
   if (!import_whole(path)) {
     scope.roll_back();

@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "host/graph/edits/clear.h"
 #include "host/graph/files/scene_reader.h"
 #include "host/graph/files/scene_writer.h"
 #include "tests/host/graph/test_scene.h"
@@ -55,6 +56,20 @@ TEST(UnknownNodes, ASceneWithoutItsPluginKeepsEveryLine) {
   EXPECT_EQ(message_of([&] { scene.plug("p.density"); }),
             "node 'p' (plume) has no attribute 'density': its type is not known here; the plug-in 'ashworks' "
             "brings it: loadPlugin ashworks");
+}
+
+// A scene that takes another one's place needs none of its plug-ins.
+TEST(UnknownNodes, WhatIsClearedIsNotRememberedAndComesBackInOneStep) {
+  const std::string text = scene_with_plume();
+  TestScene scene;
+  read_scene(text, "a.pln", scene.registry, scene.editor);
+  {
+    const History::Scope scope(scene.history, "clear");
+    clear_graph(scene.editor);
+  }
+  EXPECT_EQ(write_scene(scene.graph), write_scene(TestScene().graph));
+  scene.history.undo();
+  EXPECT_EQ(write_scene(scene.graph), text);
 }
 
 TEST(UnknownNodes, TheyFollowNewNamesAndLoseConnectionsToWhatIsDeleted) {
