@@ -12,6 +12,11 @@ namespace plinian::gl {
 
 using Defines = std::vector<std::pair<std::string, std::string>>;
 
+/// A truth value, as it stands in a define.
+inline std::string flag(bool on) {
+  return on ? "true" : "false";
+}
+
 /// Every file of core/shared and viewport/passes, by its path from the project's root.
 const std::vector<std::pair<std::string_view, std::string_view>>& shader_files();
 

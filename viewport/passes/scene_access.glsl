@@ -1,7 +1,6 @@
 // What core/shared/scene_access.h is in C++: the scene as uniform blocks and textures.
 // Defines expected: MEDIA_COUNT, LIGHT_COUNT, MAP_COUNT, GROUP_COUNT, MAP_COEFFICIENTS, MAP_WEIGHTING,
-// GREY_EXTINCTION, ANALYTIC_MEDIA, EMISSIVE_MEDIA, SEVERAL_MEDIA, DEEP_TREES, LIGHT_MARCH,
-// LIGHT_ERROR, LIGHT_MARCH_STEP, LIGHT_MARCH_DEPTH.
+// GREY_EXTINCTION, ANALYTIC_MEDIA, SEVERAL_MEDIA, DEEP_TREES.
 #include "core/shared/blackbody_lookup.h"
 #include "core/shared/scene_data.h"
 

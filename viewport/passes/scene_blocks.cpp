@@ -46,7 +46,6 @@ void SceneBlocks::update(const FlatScene& scene, const std::vector<const VolumeT
   if (!scene.lights.empty())
     gl::update_buffer(lights_, scene.lights.size() * sizeof(LightData), scene.lights.data());
   if (!scene.maps.empty()) gl::update_buffer(maps_, scene.maps.size() * sizeof(MapData), scene.maps.data());
-  const auto flag = [](bool on) { return std::string(on ? "true" : "false"); };
   defines_ = {{"MEDIA_COUNT", std::to_string(scene.media.size())},
               {"OF_MEDIUM(fetch)", choice_of_medium(scene.media.size())},
               {"LIGHT_COUNT", std::to_string(scene.lights.size())},
@@ -54,16 +53,10 @@ void SceneBlocks::update(const FlatScene& scene, const std::vector<const VolumeT
               {"GROUP_COUNT", std::to_string(scene.group_count)},
               {"MAP_COEFFICIENTS", std::to_string(scene.layout.coefficients)},
               {"MAP_WEIGHTING", std::to_string(scene.layout.weighting)},
-              {"GREY_EXTINCTION", flag(scene.grey)},
-              {"ANALYTIC_MEDIA", flag(scene.analytic)},
-              {"EMISSIVE_MEDIA", flag(scene.emissive)},
-              {"VARIED_LIGHT", flag(scene.varied_light)},
-              {"SEVERAL_MEDIA", flag(scene.media.size() > 1)},
-              {"DEEP_TREES", flag(deep)},
-              {"LIGHT_MARCH", flag(scene.view.light == LightLookup::march)},
-              {"LIGHT_ERROR", flag(scene.view.light == LightLookup::error)},
-              {"LIGHT_MARCH_STEP", std::to_string(scene.view.march_step)},
-              {"LIGHT_MARCH_DEPTH", std::to_string(scene.view.march_depth)}};
+              {"GREY_EXTINCTION", gl::flag(scene.grey)},
+              {"ANALYTIC_MEDIA", gl::flag(scene.analytic)},
+              {"SEVERAL_MEDIA", gl::flag(scene.media.size() > 1)},
+              {"DEEP_TREES", gl::flag(deep)}};
 }
 
 void SceneBlocks::bind(gl::Name maps) const {

@@ -1,4 +1,6 @@
 // One jittered pass of the view march, added to what earlier passes gathered: see core/shared/view_march.h.
+// Defines expected, beside those of scene_access.glsl: EMISSIVE_MEDIA, VARIED_LIGHT, LIGHT_MARCH, LIGHT_ERROR,
+// LIGHT_MARCH_STEP, LIGHT_MARCH_DEPTH, PLANE_AMBIENT, PLANE_EMISSION, PLANE_LIGHTS.
 #include "viewport/passes/scene_access.glsl"
 #include "core/shared/pass_weight.h"
 #include "core/shared/view_march.h"

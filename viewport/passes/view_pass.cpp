@@ -29,7 +29,13 @@ bool ViewPass::render(const SceneBlocks& blocks, const FlatScene& flat, const Sc
   const PlaneLayout layout = plane_layout(flat, scene);
   defines.insert(defines.end(), {{"PLANE_AMBIENT", std::to_string(layout.ambient)},
                                  {"PLANE_EMISSION", std::to_string(layout.emission)},
-                                 {"PLANE_LIGHTS", std::to_string(layout.first_light)}});
+                                 {"PLANE_LIGHTS", std::to_string(layout.first_light)},
+                                 {"EMISSIVE_MEDIA", gl::flag(flat.emissive)},
+                                 {"VARIED_LIGHT", gl::flag(flat.varied_light)},
+                                 {"LIGHT_MARCH", gl::flag(flat.view.light == LightLookup::march)},
+                                 {"LIGHT_ERROR", gl::flag(flat.view.light == LightLookup::error)},
+                                 {"LIGHT_MARCH_STEP", std::to_string(flat.view.march_step)},
+                                 {"LIGHT_MARCH_DEPTH", std::to_string(flat.view.march_depth)}});
   PacedProgram& paced = programs_.get(defines);
   const gl::Program& program = paced.program;
   const CameraRays rays = camera_rays(scene.camera, scene.width, scene.height);
