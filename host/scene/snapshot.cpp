@@ -144,9 +144,19 @@ Quality quality_of(graph::Session& session, const std::string& set) {
   return quality;
 }
 
-bool compute_plugs(graph::Session& session, const std::vector<Plug>& plugs,
+bool compute_plugs(graph::Session& session, std::vector<Plug> plugs,
                    const std::function<bool(double)>& progress) {
   graph::Evaluator& evaluator = session.evaluator();
+  const auto share_now = [&] {
+    double share = 0.0;
+    for (const auto& running : evaluator.progress()) share = running.fraction;
+    return share;
+  };
+  // What is under way already is not computed twice.
+  while (!evaluator.finish_within(std::chrono::milliseconds(2)))
+    if (progress && !progress(share_now())) return false;
+  std::erase_if(plugs, [&](const Plug& plug) { return !evaluator.is_dirty(plug); });
+  if (plugs.empty()) return true;
   // Shared: where progress throws, the request ends when nobody waits for it.
   const auto ended = std::make_shared<bool>(false);
   const auto request = evaluator.request(plugs, [ended](const graph::Evaluator::Outcome&) { *ended = true; });
@@ -154,10 +164,8 @@ bool compute_plugs(graph::Session& session, const std::vector<Plug>& plugs,
   while (!*ended) {
     evaluator.poll();
     if (*ended) break;
-    double share = 0.0;
-    for (const auto& running : evaluator.progress()) share = running.fraction;
     // Whoever draws by it goes on doing so until all has stopped.
-    if (progress && !progress(share) && wanted) {
+    if (progress && !progress(share_now()) && wanted) {
       wanted = false;
       evaluator.cancel(request);
     }
@@ -168,9 +176,7 @@ bool compute_plugs(graph::Session& session, const std::vector<Plug>& plugs,
 
 bool compute_contributions(graph::Session& session, const SceneView& view,
                            const std::function<bool(double)>& progress) {
-  std::vector<Plug> plugs = contributing_plugs(session, view);
-  std::erase_if(plugs, [&](const Plug& plug) { return !session.evaluator().is_dirty(plug); });
-  return plugs.empty() || compute_plugs(session, plugs, progress);
+  return compute_plugs(session, contributing_plugs(session, view), progress);
 }
 
 BuiltSnapshot build_snapshot(graph::Session& session, const SceneView& view) {

@@ -45,7 +45,7 @@ std::vector<graph::Plug> contributing_plugs(graph::Session& session, const Scene
 bool compute_contributions(graph::Session& session, const SceneView& view,
                            const std::function<bool(double share)>& progress);
 /// As above, for outputs of one's own choice.
-bool compute_plugs(graph::Session& session, const std::vector<graph::Plug>& plugs,
+bool compute_plugs(graph::Session& session, std::vector<graph::Plug> plugs,
                    const std::function<bool(double share)>& progress);
 
 /// The node of a type that was made first, or null.

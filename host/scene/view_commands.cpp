@@ -5,6 +5,7 @@
 #include "core/scene/nearest_word.h"
 #include "core/scene/placement.h"
 #include "core/scene/scene_hash.h"
+#include "core/scene/scene_loader.h"
 #include "host/graph/graph_error.h"
 #include "host/scene/placed.h"
 #include "host/scene/scene_commands.h"
@@ -36,6 +37,12 @@ CommandResult isolate(Workspace& workspace, const Arguments& arguments) {
   return {};
 }
 
+// Where somebody looks on, workers compute, and what is looked at goes on being drawn.
+void await_contributions(Session& session, const SceneView& view) {
+  if (session.on_progress && !compute_contributions(session, view, session.on_progress))
+    throw SceneLoadCancelled();
+}
+
 bool is_camera(Session& session, const graph::Node& node) {
   const graph::AttributeIndex output = sdk::contribution_of(*node.type);
   if (output == graph::no_attribute || node.schema->find("translate") == graph::no_attribute) return false;
@@ -51,6 +58,7 @@ CommandResult frame_view(Workspace& workspace, const Arguments& arguments) {
     view.isolated.clear();
     for (const NodeId id : graph::matching_nodes(session.graph(), nodes)) view.isolated.insert(id);
   }
+  await_contributions(session, view);
   const graph::Node* camera = nullptr;
   if (arguments.has("camera")) {
     camera = &session.graph().get(arguments.text("camera"));
@@ -97,6 +105,7 @@ CommandResult frame_view(Workspace& workspace, const Arguments& arguments) {
 }
 
 CommandResult snapshot(Workspace& workspace) {
+  await_contributions(workspace.session(), workspace.view());
   const BuiltSnapshot built = build_snapshot(workspace.session(), workspace.view());
   if (!built.problems.empty())
     throw GraphError(

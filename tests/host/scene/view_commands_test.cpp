@@ -1,3 +1,4 @@
+#include "core/scene/scene_loader.h"
 #include "tests/host/scene/test_workspace.h"
 
 namespace plinian::scene {
@@ -17,6 +18,27 @@ TEST(ViewCommands, FrameViewShowsEverythingFromWhereTheCameraLooks) {
   EXPECT_NEAR(w.snapshot().camera.world_from_camera[2].y, 1.0, 1e-9);
   w.run("undo");
   EXPECT_NEAR(w.snapshot().camera.world_from_camera[2].x, 1.0, 1e-9);
+}
+
+TEST(ViewCommands, FrameViewGoesOnTellingWhileWorkersMakeTheVolumeAndCanBeGivenUp) {
+  TestWorkspace w(small_scene("cloud"));
+  w.run("setAttr medium_noise.resolution 96");
+  w.run("setAttr camera.translate 1 2 3");
+  int told = 0;
+  w.session().on_progress = [&](double) { return ++told < 3; };
+  EXPECT_THROW(w.session().execute("frameView"), SceneLoadCancelled);
+  EXPECT_GE(told, 3);
+  EXPECT_EQ(w.run("getAttr camera.translate.x"), "1");
+  told = 0;
+  w.session().on_progress = [&](double) { return ++told > 0; };
+  const std::uint64_t made = w.computes("volumeNoise");
+  w.run("frameView");
+  EXPECT_GT(told, 4);
+  EXPECT_EQ(w.computes("volumeNoise"), made + 1);
+  EXPECT_NE(w.run("getAttr camera.translate.x"), "1");
+  told = 0;
+  w.run("frameView");
+  EXPECT_EQ(told, 0) << "it is there";
 }
 
 TEST(ViewCommands, FrameViewWorksUnderATransformAndForSingleNodes) {
