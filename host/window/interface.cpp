@@ -70,7 +70,8 @@ Interface::~Interface() {
 double Interface::patience() const {
   if (studio_.commands.has_work()) return 0.0;
   if (redraws_ > 0) return std::max(0.0, earliness());
-  if (studio_.is_hand_on() || studio_.feed.is_computing() || drawings_.is_busy() || timeline_.is_playing())
+  if (studio_.is_hand_on() || studio_.feed.is_computing() || studio_.viewpoint.is_waiting() ||
+      drawings_.is_busy() || timeline_.is_playing())
     return 0.015;
   const double idle = studio_.renderer.status().is_busy ? 0.1 : 1.0;
   return std::min(idle, studio_.comparison.until_next_turn());
@@ -92,9 +93,19 @@ void Interface::note_work(bool waited) {
   if (!waited) {
     const double ms = std::chrono::duration<double, std::milli>(now - work_began_).count();
     if (constexpr double worth_telling_ms = 50.0; ms > worth_telling_ms)
-      studio_.trace.note(fmt::format("stall {:.1f}", ms));
+      studio_.trace.note(fmt::format("stall {:.1f}{}", ms, phases_));
   }
-  work_began_ = now;
+  phases_.clear();
+  work_began_ = phase_began_ = now;
+}
+
+// What took its time since the last call, where it is worth telling.
+void Interface::note_phase(const char* name) {
+  if (!studio_.trace.is_on()) return;
+  const auto now = std::chrono::steady_clock::now();
+  const double ms = std::chrono::duration<double, std::milli>(now - std::exchange(phase_began_, now)).count();
+  if (constexpr double worth_telling_ms = 5.0; ms > worth_telling_ms)
+    phases_ += fmt::format(" {} {:.0f}", name, ms);
 }
 
 void Interface::turn() {
@@ -106,17 +117,23 @@ void Interface::turn() {
   note_work(true);
   if (events) redraws_ = 2;
   take_input();
+  note_phase("input");
   // First, because what it takes over from workers may be the feed's.
   if (drawings_.update()) redraws_ = std::max(redraws_, 2);
+  note_phase("drawings");
   if (studio_.feed.update()) redraws_ = std::max(redraws_, 2);
+  note_phase("feed");
   if (was_computing != studio_.feed.is_computing() || was_hand_on != studio_.is_hand_on() || most > 0.05)
     redraws_ = std::max(redraws_, 1);
+  studio_.viewpoint.update();
   studio_.is_playing = timeline_.is_playing();
   studio_.files.autosave_if_due(studio_.is_hand_on());
+  note_phase("autosave");
   studio_.update_picture();
   // Behind what asks for the picture of this frame: only then can be said whether that is there.
   timeline_.play(studio_);
   studio_.update_playblast();
+  note_phase("picture");
   const bool due = earliness() <= 0.0 || window_.take_urgent();
   if (due && (redraws_ > 0 || studio_.renderer.status().is_busy)) {
     draw();
@@ -128,6 +145,7 @@ void Interface::turn() {
   if (studio_.commands.has_work()) {
     studio_.commands.work_off();
     redraws_ = 2;
+    note_phase("commands");
   }
   if (!still_ && patience() >= 1.0) {
     still_ = true;
@@ -197,12 +215,16 @@ void Interface::note_mouse() {
 
 void Interface::draw() {
   const auto begin = std::chrono::steady_clock::now();
+  note_phase("wait");
   window_.begin_frame();
+  note_phase("begin");
   forget_left_typing();
   note_mouse();
   show_panels();
   show_job(studio_);
-  window_.end_frame(vec3(0.09f));
+  note_phase("panels");
+  window_.end_frame(vec3(colour::pane));
+  note_phase("show");
   drawn_ = std::chrono::steady_clock::now();
   draw_ms_ = std::chrono::duration<double, std::milli>(drawn_ - begin).count();
 }
@@ -229,10 +251,10 @@ void Interface::show_splitters(const Panes& panes) {
   const auto splitter = [&](const char* id, vec2 begin, vec2 size, bool upright, float& value, float change) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0f, 1.0f));
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(0.0f, 0.0f, 0.0f, 0.0f));
     begin_pane(id, {begin, size}, false);
-    ImGui::PopStyleColor();
     ImGui::PopStyleVar(2);
+    ImGui::GetWindowDrawList()->AddRectFilled({begin.x, begin.y}, {begin.x + size.x, begin.y + size.y},
+                                              colour::gap);
     ImGui::InvisibleButton("##grip", {std::max(size.x, 1.0f), std::max(size.y, 1.0f)});
     if (ImGui::IsItemHovered() || ImGui::IsItemActive())
       ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);

@@ -41,6 +41,7 @@ class Interface {
   void act(Action action);
   void settle_title();
   void note_work(bool waited);
+  void note_phase(const char* name);
   void note_mouse();
   double patience() const;
   double earliness() const;
@@ -64,6 +65,8 @@ class Interface {
   int redraws_ = 3;
   std::string title_, mouse_;
   std::chrono::steady_clock::time_point work_began_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point phase_began_{};
+  std::string phases_;   // of the work since then, for the trace: "draw 31 run 12" [ms]
   bool still_ = false;   // nothing is left to be drawn
   bool typing_ = false;  // keys are a field's
 };

@@ -108,7 +108,7 @@ Canvas* Drawings::over(const DevelopedPtr& picture, float points) {
 void Drawings::draw(const DevelopedPtr& picture, float points) {
   const auto begin = std::chrono::steady_clock::now();
   const SceneSnapshot& scene = beneath_->scene;
-  const ViewMatrices matrices = view_matrices(scene);
+  const ViewMatrices matrices = view_matrices(scene, beneath_->extent->all());
   near_depth_ = matrices.near_depth;
   canvas_.begin(picture, matrices);
   view_ = {};

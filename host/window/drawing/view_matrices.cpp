@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/scene/framing.h"
-
 namespace plinian::window {
 
 namespace {
@@ -24,8 +22,7 @@ Film film_of(const SceneSnapshot& scene) {
 
 }  // namespace
 
-ViewMatrices view_matrices(const SceneSnapshot& scene) {
-  const SceneBounds bounds = scene_bounds(scene.media);
+ViewMatrices view_matrices(const SceneSnapshot& scene, const SceneBounds& bounds) {
   const dvec3 eye(scene.camera.world_from_camera[3]);
   const double away = std::max(glm::length(bounds.centre() - eye), bounds.radius());
   ViewMatrices matrices;

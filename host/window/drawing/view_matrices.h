@@ -5,6 +5,7 @@
 
 #include "core/scene/camera.h"
 #include "core/scene/frame.h"
+#include "core/scene/framing.h"
 #include "core/scene/snapshot.h"
 
 namespace plinian::window {
@@ -15,9 +16,9 @@ struct ViewMatrices {
   double near_depth = 0.01;    // [world] along the axis; what is nearer is cut off
 };
 
-/// Of the picture that shows a scene. The near plane stands at a thousandth of the way to the media, so that
-/// floats of depth tell apart what is 1e-4 of its distance apart there.
-ViewMatrices view_matrices(const SceneSnapshot& scene);
+/// Of the picture that shows a scene, and how far its media reach. The near plane stands at a thousandth of
+/// the way to the media, so that floats of depth tell apart what is 1e-4 of its distance apart there.
+ViewMatrices view_matrices(const SceneSnapshot& scene, const SceneBounds& bounds);
 
 /// What a depth buffer of size [pixels] holds where the media of a picture stand (the bottom row first): 1
 /// where there is nothing. Biased: a medium is taken for a wall where alpha passes 0.5.

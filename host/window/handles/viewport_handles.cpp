@@ -26,14 +26,13 @@ dvec2 mouse_at() {
 }
 
 // A sun is turned where its icon stands.
-void settle_sun(Studio& studio, const SceneSnapshot& scene, HandleTarget& target) {
+void settle_sun(Studio& studio, const SceneBounds& bounds, HandleTarget& target) {
   const TargetNode& lead = target.nodes[0];
   const graph::Node* node = studio.session().graph().find(lead.id);
   if (node->type->name() != "directionalLight") return;
   const dvec3 toward(dmat3(lead.world_from_parent) * dvec3(matrix_of(lead.placement)[2]));
   const double length = glm::length(toward);
   if (!(length > 0.0)) return;
-  const SceneBounds bounds = scene_bounds(scene.media);
   target.place.centre = bounds.centre() + toward * (bounds.radius() * 1.1 / length);
 }
 
@@ -46,8 +45,8 @@ bool is_looked_through(Studio& studio, const HandleTarget& target, const Project
 }
 
 // A tenth of a cell of the ground. [world]
-double snap_step(const SceneSnapshot& scene, const Projection& projection) {
-  const double away = std::max(glm::length(scene_bounds(scene.media).centre() - projection.eye()), 1e-3);
+double snap_step(const SceneBounds& bounds, const Projection& projection) {
+  const double away = std::max(glm::length(bounds.centre() - projection.eye()), 1e-3);
   return 0.1 * round_length(away * 0.12);
 }
 
@@ -70,7 +69,7 @@ void ViewportHandles::show(Studio& studio, const ViewPicture& picture, vec2 begi
   } else if (studio.overlay.handles && studio.tools.tool != Tool::select) {
     target = handle_target(studio.session(), studio.tools);
     if (!target || is_looked_through(studio, *target, seen_now)) return;
-    settle_sun(studio, scene, *target);
+    settle_sun(studio, picture.extent->all(), *target);
   }
   if (!target) return;
   // While it is held, a thing that is moved takes its handles along; what is turned leaves them where they
@@ -102,7 +101,7 @@ void ViewportHandles::show(Studio& studio, const ViewPicture& picture, vec2 begi
       if (const auto grip = grip_of(shapes, shape, scaled(reach)))
         studio.trace.item(std::string("handle ") + name_of(shape.part), *grip - vec2(2.0f), vec2(4.0f));
   if (hovered_ != Part::none && ImGui::IsMouseClicked(0))
-    take_hold(studio, std::move(*target), seen_now, snap_step(scene, seen_now));
+    take_hold(studio, std::move(*target), seen_now, snap_step(picture.extent->all(), seen_now));
 }
 
 // What cannot follow stays where it is, and says why; where that is what leads, nothing moves.

@@ -200,6 +200,7 @@ void act(Studio& studio, Action action) {
       studio.commands.job.cancelled = true;
       comparison.stop_reference();
       studio.playblast.cancel();
+      studio.viewpoint.stop_waiting();
       if (studio.commands.job.what.empty()) studio.feed.cancel();
       return;
     default:

@@ -16,6 +16,7 @@ FreeCamera Viewpoint::free_camera() const {
 }
 
 void Viewpoint::move(const FreeCamera& camera, bool begins) {
+  waiting_.reset();
   if (begins) history.note(look);
   look.free = camera;
 }
@@ -34,6 +35,10 @@ void Viewpoint::frame(bool selection_only, ivec2 pane) {
     scene::SceneView view = workspace_.view();
     view.isolated = {selection.begin(), selection.end()};
     try {
+      if (!knows_bounds(view)) {
+        waiting_ = pane;
+        return;
+      }
       const auto selected = scene::build_snapshot(workspace_.session(), view).snapshot.media;
       if (!selected.empty()) media = selected;
     } catch (const graph::GraphError&) {
@@ -41,6 +46,24 @@ void Viewpoint::frame(bool selection_only, ivec2 pane) {
     }
   }
   move(window::frame(free_camera(), scene_bounds(media), pane), true);
+}
+
+void Viewpoint::update() {
+  if (waiting_) frame(true, *waiting_);
+}
+
+// Else workers are asked, who may be at it for the picture already.
+bool Viewpoint::knows_bounds(const scene::SceneView& view) {
+  if (feed_.is_computing() || request_ != 0) return false;
+  graph::Evaluator& evaluator = workspace_.session().evaluator();
+  std::vector<graph::Plug> missing = scene::contributing_plugs(workspace_.session(), view);
+  std::erase_if(missing, [&](const graph::Plug& plug) { return !evaluator.is_dirty(plug); });
+  if (missing.empty()) return true;
+  request_ = evaluator.request(std::move(missing), [this](const graph::Evaluator::Outcome& outcome) {
+    request_ = 0;
+    if (outcome.cancelled) waiting_.reset();
+  });
+  return false;
 }
 
 void Viewpoint::go_back() {

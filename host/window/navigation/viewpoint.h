@@ -2,6 +2,8 @@
 // the scene, nor of its undo.
 #pragma once
 
+#include <optional>
+
 #include "host/scene/workspace.h"
 #include "host/window/navigation/camera_history.h"
 #include "host/window/view/scene_feed.h"
@@ -22,15 +24,24 @@ class Viewpoint {
   /// Looks through `camera` from now on. begins: notes for `[` how it was.
   void move(const FreeCamera& camera, bool begins);
   void look_through_scene_camera();
-  /// Shows everything, or what is selected. pane: [pixels] of the picture.
+  /// Shows everything, or what is selected, as soon as it is known how large that is. pane: [pixels] of the
+  /// picture.
   void frame(bool selection_only, ivec2 pane);
+  /// Frames what was waited for. To be called once a turn.
+  void update();
+  bool is_waiting() const { return waiting_.has_value(); }
+  void stop_waiting() { waiting_.reset(); }
   /// The view before or after in the history, where there is one.
   void go_back();
   void go_forth();
 
  private:
+  bool knows_bounds(const scene::SceneView& view);
+
   scene::Workspace& workspace_;
   const SceneFeed& feed_;
+  std::optional<ivec2> waiting_;  // pane of a selection that is to be framed
+  graph::Evaluator::RequestId request_ = 0;
 };
 
 }  // namespace plinian::window

@@ -139,27 +139,26 @@ void Overlay::draw_icon(Studio& studio, const std::vector<WorldLine>& lines, con
 }
 
 void Overlay::show_bounds(Studio& studio, const ViewPicture& picture, const Projection& projection) {
-  const SceneSnapshot& scene = picture.scene;
-  const Frame& frame = picture.frame;
-  for (const Medium& medium : scene.media) {
-    if (!is_selected(studio, medium.name)) continue;
-    const SceneBounds box = scene_bounds({medium});
-    if (box.outline.empty()) continue;
+  const std::vector<Medium>& media = picture.scene.media;
+  for (std::size_t m = 0; m < media.size(); ++m) {
+    const SceneBounds* box = picture.extent->medium(m);
+    if (!box || !is_selected(studio, media[m].name)) continue;
     const auto corner = [&](int i) {
-      return dvec3(i & 1 ? box.maximum.x : box.minimum.x, i & 2 ? box.maximum.y : box.minimum.y,
-                   i & 4 ? box.maximum.z : box.minimum.z);
+      return dvec3(i & 1 ? box->maximum.x : box->minimum.x, i & 2 ? box->maximum.y : box->minimum.y,
+                   i & 4 ? box->maximum.z : box->minimum.z);
     };
     for (int i = 0; i < 8; ++i)
       for (const int bit : {1, 2, 4})
         if (!(i & bit))
-          draw_line_behind(frame, projection, corner(i), corner(i | bit), with_alpha(colour::accent, 0.6f),
-                           1.0f);
+          draw_line_behind(picture.frame, projection, corner(i), corner(i | bit),
+                           with_alpha(colour::accent, 0.6f), 1.0f);
   }
 }
 
 // A directional light has no place: its sun stands where it shines from, beside the media.
-void Overlay::show_lights(Studio& studio, const SceneSnapshot& scene, const Projection& projection) {
-  const SceneBounds bounds = scene_bounds(scene.media);
+void Overlay::show_lights(Studio& studio, const ViewPicture& picture, const Projection& projection) {
+  const SceneSnapshot& scene = picture.scene;
+  const SceneBounds& bounds = picture.extent->all();
   const dmat3 facing(scene.camera.world_from_camera);
   for (const Light& light : scene.lights) {
     if (!studio.session().graph().find(light.name)) continue;
@@ -202,11 +201,11 @@ void Overlay::show(Studio& studio, const ViewPicture& picture, vec2 begin, vec2 
   const OverlayChoice& choice = studio.overlay;
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->PushClipRect(to_im(begin), to_im(begin + size), true);
-  const SceneBounds bounds = scene_bounds(scene.media);
+  const SceneBounds& bounds = picture.extent->all();
   if (choice.grid) draw_grid(picture.frame, projection, bounds);
   if (choice.bounds) show_bounds(studio, picture, projection);
   if (choice.icons) {
-    show_lights(studio, scene, projection);
+    show_lights(studio, picture, projection);
     show_cameras(studio, projection);
   }
   const vec2 corner = begin + vec2(scaled(44), size.y - scaled(70));

@@ -30,7 +30,7 @@ class Overlay {
     vec2 at{0.0f};  // [points]
   };
   void show_bounds(Studio& studio, const ViewPicture& picture, const Projection& projection);
-  void show_lights(Studio& studio, const SceneSnapshot& scene, const Projection& projection);
+  void show_lights(Studio& studio, const ViewPicture& picture, const Projection& projection);
   void show_cameras(Studio& studio, const Projection& projection);
   void draw_icon(Studio& studio, const std::vector<WorldLine>& lines, const dvec3& at,
                  const std::string& node, const Projection& projection);

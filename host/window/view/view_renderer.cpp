@@ -1,6 +1,7 @@
 // The renderer's thread.
 #include "host/window/view/view_renderer.h"
 
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -198,6 +199,7 @@ class ViewRenderer::Thread {
     auto picture = std::make_shared<ViewPicture>();
     picture->frame = std::move(frame);
     picture->scene = request.scene;
+    picture->extent = extent_ = MediaExtent::of(request.scene.media, extent_);
     picture->number = request.number;
     picture->time = request.time;
     picture->quick = quick;
@@ -235,6 +237,7 @@ class ViewRenderer::Thread {
   int map_resolution_ = 0;   // [texels] of what is rendered
   std::int64_t builds_ = 0;  // of maps, up to the last picture
   ViewPicturePtr rendered_, shown_;
+  MediaExtent::Ptr extent_;
   LightMapCopyPtr copied_;  // of the last picture that wanted light maps
   bool at_rest_ = false;
   std::uint64_t shown_number_ = 0;
@@ -244,6 +247,9 @@ class ViewRenderer::Thread {
 void ViewRenderer::run() {
   step_back();
   Thread thread(*this);
+  // The planes of pictures are kept for the next ones (see main.cpp). Where none follows, they go back.
+  constexpr std::chrono::seconds rest(2);
+  bool is_tidy = true;
   for (;;) {
     ViewRequest request;
     {
@@ -252,7 +258,15 @@ void ViewRenderer::run() {
       lock.unlock();
       wake_();
       lock.lock();
-      news_.wait(lock, [&] { return stopping_ || waiting_; });
+      const auto is_news = [&] { return stopping_ || waiting_; };
+      if (!is_tidy && !news_.wait_for(lock, rest, is_news)) {
+        lock.unlock();
+        malloc_trim(0);
+        is_tidy = true;
+        lock.lock();
+      }
+      news_.wait(lock, is_news);
+      is_tidy = false;
       if (stopping_) return;
       request = std::move(*waiting_);
       waiting_.reset();

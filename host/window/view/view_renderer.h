@@ -11,6 +11,7 @@
 #include <string>
 #include <thread>
 
+#include "host/window/view/media_extent.h"
 #include "viewport/light_map_copy.h"
 
 namespace plinian::window {
@@ -26,11 +27,12 @@ struct ViewRequest {
 /// A picture as it was rendered. Immutable.
 struct ViewPicture {
   Frame frame;
-  SceneSnapshot scene;       // that it shows, at the size at rest
-  std::uint64_t number = 0;  // of the request
-  double time = 0.0;         // [frames] likewise
-  bool quick = false;        // smaller than asked for, and of one pass
-  bool at_rest = false;      // no further pass follows
+  SceneSnapshot scene;                                        // that it shows, at the size at rest
+  MediaExtent::Ptr extent = std::make_shared<MediaExtent>();  // of its media
+  std::uint64_t number = 0;                                   // of the request
+  double time = 0.0;                                          // [frames] likewise
+  bool quick = false;                                         // smaller than asked for, and of one pass
+  bool at_rest = false;                                       // no further pass follows
   int passes = 0;
   bool is_played = false;       // shown again, without its layers: see PlayedFrames
   int map_resolution = 0;       // [texels] of its light maps

@@ -31,7 +31,7 @@ vec3 window_place(const ViewMatrices& matrices, const dvec3& world, ivec2 size) 
 
 TEST(ViewMatrices, PutPointsWhereThePictureHasThem) {
   const SceneSnapshot scene = odd_scene();
-  const ViewMatrices matrices = view_matrices(scene);
+  const ViewMatrices matrices = view_matrices(scene, scene_bounds(scene.media));
   const Projection projection(scene.camera, scene.width, scene.height, vec2(0), vec2(60, 50));
   for (const dvec3& world : {dvec3(0), dvec3(1, 0.5, -2), dvec3(-0.7, 0.2, 1), dvec3(2.5, 1.5, 4)}) {
     const auto expected = projection.point(world);
@@ -47,7 +47,7 @@ TEST(ViewMatrices, PutPointsWhereThePictureHasThem) {
 // What lies a little in front of a medium is seen, what lies a little behind it is not, in every pixel.
 TEST(ViewMatrices, TheDepthOfThePictureIsThatOfWhatStandsThere) {
   const SceneSnapshot scene = odd_scene();
-  const ViewMatrices matrices = view_matrices(scene);
+  const ViewMatrices matrices = view_matrices(scene, scene_bounds(scene.media));
   Frame frame;
   frame.width = 6;  // it was rendered at a tenth of the sides
   frame.height = 5;

@@ -7,6 +7,7 @@
 #include "host/window/overlay/overlay_choice.h"
 #include "host/window/overlay/pick.h"
 #include "host/window/overlay/projection.h"
+#include "host/window/view/media_extent.h"
 
 namespace plinian::window {
 namespace {
@@ -65,6 +66,21 @@ TEST(GroundGrid, HasRoundSpacingAndFadesAwayFromWhatItIsUnder) {
     EXPECT_NEAR(line.strength, (1.0 - far) * (1.0 - far), 1e-5);
   }
   EXPECT_TRUE(through_origin);
+}
+
+TEST(MediaExtent, IsToldAgainOnlyWhereAMediumIsAnotherOrElsewhere) {
+  std::vector<Medium> media(2);
+  media[0].shape = MediumShape::box;
+  const MediaExtent::Ptr extent = MediaExtent::of(media);
+  ASSERT_NE(extent->medium(0), nullptr);
+  EXPECT_EQ(extent->medium(1), nullptr) << "of no volume";
+  EXPECT_EQ(extent->all().maximum, dvec3(1.0));
+  media[0].density_scale = 3.0f;
+  EXPECT_EQ(MediaExtent::of(media, extent), extent);
+  media[0].world_from_medium = glm::translate(dmat4(1.0), dvec3(4.0, 0.0, 0.0));
+  const MediaExtent::Ptr moved = MediaExtent::of(media, extent);
+  EXPECT_EQ(moved->medium(0)->minimum.x, 3.0);
+  EXPECT_EQ(extent->medium(0)->minimum.x, -1.0) << "a picture keeps its own";
 }
 
 TEST(Pick, MeetsTheMediumInFront) {
