@@ -74,7 +74,7 @@ void ConsolePanel::show(Studio& studio, const PaneRect& pane) {
   ImGui::NewLine();
   ImGui::PushFont(fonts().fixed);
   const float line = ImGui::GetFrameHeightWithSpacing();
-  ImGui::BeginChild("##lines", {0.0f, -line});
+  ImGui::BeginChild("##lines", {0.0f, -line}, false, ImGuiWindowFlags_NoBackground);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0f, scaled(2)));
   const bool at_end = ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - 2.0f;
   ImGuiListClipper clipper;

@@ -11,10 +11,11 @@ namespace plinian::window {
 
 void show_status(Studio& studio, const PaneRect& pane) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(scaled(10), scaled(2)));
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetColorU32(ImGuiCol_MenuBarBg));
   begin_pane("##status", pane, false);
-  ImGui::PopStyleColor();
   ImGui::PopStyleVar();
+  ImGui::GetWindowDrawList()->AddRectFilled({pane.begin.x, pane.begin.y},
+                                            {pane.begin.x + pane.size.x, pane.begin.y + pane.size.y},
+                                            ImGui::GetColorU32(ImGuiCol_MenuBarBg));
   ImGui::AlignTextToFramePadding();
   float right = pane.begin.x + pane.size.x;
   const ViewPicturePtr picture = studio.picture();

@@ -74,6 +74,24 @@ void ViewportPanel::take_picture(Studio& studio) {
                                 shown->psnr ? fmt::format(" psnr {:.1f}", *shown->psnr) : ""));
 }
 
+namespace {
+
+// Around a picture that does not fill the pane; under it the colour would not be seen, and take its time.
+void fill_around(const PaneRect& pane, const PaneRect& picture) {
+  constexpr unsigned dark = 0xff0f0e0e;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const vec2 end = pane.begin + pane.size, picture_end = picture.begin + picture.size;
+  const auto fill = [&](float left, float top, float right, float bottom) {
+    if (left < right && top < bottom) list->AddRectFilled({left, top}, {right, bottom}, dark);
+  };
+  fill(pane.begin.x, pane.begin.y, end.x, picture.begin.y);
+  fill(pane.begin.x, picture_end.y, end.x, end.y);
+  fill(pane.begin.x, picture.begin.y, picture.begin.x, picture_end.y);
+  fill(picture_end.x, picture.begin.y, end.x, picture_end.y);
+}
+
+}  // namespace
+
 // With what plug-ins draw over it, where they do.
 void ViewportPanel::show_image(Drawings& drawings, vec2 begin, vec2 size, float pixel_ratio) {
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -94,11 +112,10 @@ void ViewportPanel::show(Studio& studio, Drawings& drawings, const PaneRect& pan
   ImGui::SetNextWindowPos(to_im(pane.begin));
   ImGui::SetNextWindowSize(to_im(pane.size));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(0.055f, 0.055f, 0.057f, 1.0f));
   ImGui::Begin("##picture", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
-  ImGui::PopStyleColor();
+                   ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                   ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
   PaneRect shown = picture_;  // where the picture lies
   if (texture_.name() != 0) {
@@ -111,8 +128,11 @@ void ViewportPanel::show(Studio& studio, Drawings& drawings, const PaneRect& pan
       size = vec2(frame.width, frame.height) * scale;
       begin = picture_.begin + (picture_.size - size) * 0.5f;
     }
+    fill_around(pane, {begin, size});
     show_image(drawings, begin, size, float(pixel_ratio));
     shown = {begin, size};
+  } else {
+    fill_around(pane, {pane.begin, vec2(0.0f)});
   }
   ImGui::SetCursorScreenPos(to_im(pane.begin));
   ImGui::InvisibleButton("##hand", to_im(pane.size),

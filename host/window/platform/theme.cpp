@@ -87,7 +87,7 @@ void set_theme(double scale) {
   ImVec4* c = style.Colors;
   c[ImGuiCol_Text] = ImGui::ColorConvertU32ToFloat4(colour::text);
   c[ImGuiCol_TextDisabled] = ImGui::ColorConvertU32ToFloat4(colour::faint_text);
-  c[ImGuiCol_WindowBg] = c[ImGuiCol_ChildBg] = grey(0.145f);
+  c[ImGuiCol_WindowBg] = c[ImGuiCol_ChildBg] = grey(colour::pane);
   c[ImGuiCol_MenuBarBg] = grey(0.115f);
   c[ImGuiCol_PopupBg] = grey(0.125f, 0.985f);
   c[ImGuiCol_Border] = grey(0.25f);

@@ -54,9 +54,8 @@ class RandomHand {
         const auto pictures = std::count_if(
             ran, lines.end(), [](const auto& line) { return line.find(" picture ") != line.npos; });
         if (std::exchange(made, pictures) != pictures) quiet_since = Clock::now();
-        if (lines.back().find("still") != lines.back().npos ||
-            Clock::now() - quiet_since > std::chrono::seconds(3))
-          return sitting_.memory();
+        // What was kept for the next picture is given back where none follows.
+        if (Clock::now() - quiet_since > std::chrono::seconds(4)) return sitting_.memory();
       }
     }
     sitting_.keep("random-not-emptied.png");
