@@ -78,11 +78,19 @@ void add_visibility(graph::NodeTypeSpec& spec) {
 
 struct MigrationState {
   graph::StoredAttributes& attributes;
-  std::string text;
-  std::string failure;
-  graph::StoredAttribute* find(const char* path) {
+  const std::vector<graph::AttributeAlias>& aliases;
+  std::string text{}, failure{};
+
+  graph::StoredAttribute* find(const std::string& path) {
     for (graph::StoredAttribute& attribute : attributes)
-      if (attribute.path == text_of(path)) return &attribute;
+      if (attribute.path == path) return &attribute;
+    return nullptr;
+  }
+  // ... or what the scene has of the attribute under another of its names.
+  graph::StoredAttribute* find_by_any_name(const std::string& path) {
+    if (graph::StoredAttribute* found = find(path)) return found;
+    for (graph::StoredAttribute& attribute : attributes)
+      if (current_path(aliases, attribute.path) == current_path(aliases, path)) return &attribute;
     return nullptr;
   }
 };
@@ -94,20 +102,22 @@ MigrationState& state_of(PlinianMigration* migration) {
 const PlinianMigrate migrate_table = {
     sizeof(PlinianMigrate),
     [](PlinianMigration* m, const char* path) -> const char* {
-      const graph::StoredAttribute* found = state_of(m).find(path);
+      const graph::StoredAttribute* found = state_of(m).find_by_any_name(text_of(path));
       if (!found) return nullptr;
       state_of(m).text = found->text;
       return state_of(m).text.c_str();
     },
     [](PlinianMigration* m, const char* path, const char* text) {
-      if (graph::StoredAttribute* found = state_of(m).find(path))
-        found->text = text_of(text);
-      else
-        state_of(m).attributes.push_back({text_of(path), text_of(text)});
-    },
-    [](PlinianMigration* m, const char* path) {
+      // Under the name that is given: what is set under the new one outlives that the old one is removed.
       std::erase_if(state_of(m).attributes,
                     [&](const graph::StoredAttribute& attribute) { return attribute.path == text_of(path); });
+      state_of(m).attributes.push_back({text_of(path), text_of(text)});  // last: it counts
+    },
+    [](PlinianMigration* m, const char* path) {
+      if (const graph::StoredAttribute* found = state_of(m).find_by_any_name(text_of(path)))
+        std::erase_if(state_of(m).attributes, [gone = found->path](const graph::StoredAttribute& attribute) {
+          return attribute.path == gone;
+        });
     },
     [](PlinianMigration* m, const char* message) {
       state_of(m).failure = message && *message ? message : "no reason is given";
@@ -139,10 +149,10 @@ graph::NodeTypeSpec node_type_from(const PlinianNodeType* plain, const std::shar
   if (from.migrate)
     for (int version = 1; version < spec.version; ++version)
       spec.migrators.push_back(
-          {version, [migrate = from.migrate, user = from.user, version, data,
-                     name = spec.name](graph::StoredAttributes& attributes) {
+          {version, [migrate = from.migrate, user = from.user, version, data, name = spec.name,
+                     aliases = spec.aliases](graph::StoredAttributes& attributes) {
              const InsidePlugin inside(data->owner, "migrating nodes of the type", name.c_str());
-             MigrationState state{attributes, "", ""};
+             MigrationState state{attributes, aliases};
              migrate(user, version, &migrate_table, reinterpret_cast<PlinianMigration*>(&state));
              if (!state.failure.empty()) throw GraphError(state.failure);
            }});

@@ -241,11 +241,13 @@ NodeText NodeReader::read(const std::string& name, const std::vector<SceneLine>&
     lock.place = place_in(node, lock.path, true).value_or(LinePlace{true});
 
   const bool migrates = !type_->is_unknown() && section_.version < type_->version();
+  std::map<std::string, std::string> not_migrated;  // by path: the text
   if (migrates) {
     StoredAttributes defaults;
     for (const SceneLine& line : section_.lines)
       if (split_attribute(line.text, path, rest)) defaults.push_back({path, rest});
     stored = overlaid(defaults, stored);
+    for (const StoredAttribute& attribute : stored) not_migrated.emplace(attribute.path, attribute.text);
     migrate(name, stored);
   }
 
@@ -256,6 +258,8 @@ NodeText NodeReader::read(const std::string& name, const std::vector<SceneLine>&
     std::string made;
     if (source == line_of.end()) made = "  ." + attribute.path + " " + attribute.text;
     const SceneLine line = source == line_of.end() ? SceneLine{made, 0} : lines[source->second];
+    const auto before = not_migrated.find(attribute.path);
+    const bool migrated = migrates && (before == not_migrated.end() || before->second != attribute.text);
     const auto place = [&] { return source == line_of.end() ? LinePlace() : places[source->second]; };
     bool known = false;
     try {
@@ -278,9 +282,17 @@ NodeText NodeReader::read(const std::string& name, const std::vector<SceneLine>&
       // By an older name and by its own.
       if (!alone && !migrates) warn_of_two("." + found.path, 0, line.number);
     } catch (const GraphError& error) {
-      if (source == line_of.end() && migrates) continue;  // a default of an attribute that is no more
-      warn(line.number,
-           (known ? name + "." + attribute.path + " " : "") + error.what() + "; the line is kept as it is");
+      if (migrated) {
+        warn(line.number, name + ": its migration from version " + std::to_string(section_.version) +
+                              " of the type sets " + shown("." + attribute.path + " " + attribute.text) +
+                              ", but " + (known ? name + "." + attribute.path + " " : "") + error.what() +
+                              "; the line is kept as it " + (source == line_of.end() ? "is" : "was"));
+      } else if (source == line_of.end() && migrates) {
+        continue;  // a default of an attribute that is no more
+      } else {
+        warn(line.number,
+             (known ? name + "." + attribute.path + " " : "") + error.what() + "; the line is kept as it is");
+      }
       node.kept.push_back({std::string(line.text), "", {}, "", place()});
     }
   }

@@ -71,8 +71,8 @@ bool NodeType::holds_the_same(const NodeType& other) const {
   return true;
 }
 
-std::string NodeType::current_path(std::string_view path) const {
-  for (const AttributeAlias& alias : spec_.aliases) {
+std::string current_path(const std::vector<AttributeAlias>& aliases, std::string_view path) {
+  for (const AttributeAlias& alias : aliases) {
     if (path == alias.old_path) return alias.path;
     if (path.starts_with(alias.old_path) &&
         (path[alias.old_path.size()] == '[' || path[alias.old_path.size()] == '.'))

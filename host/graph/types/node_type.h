@@ -32,6 +32,9 @@ struct AttributeAlias {
   std::string old_path, path;
 };
 
+/// What an attribute is called now: the path itself, or the one that an old name stands for.
+std::string current_path(const std::vector<AttributeAlias>& aliases, std::string_view path);
+
 /// Declared by whoever makes a node type.
 struct NodeTypeSpec {
   std::string name;
@@ -72,8 +75,8 @@ class NodeType {
   /// Whether edits of nodes of the one type mean the same for the other: attributes of the same names, types,
   /// defaults and hard ranges in the same order, and the same version.
   bool holds_the_same(const NodeType& other) const;
-  /// What an attribute is called now: the path itself, or the one that an old name stands for.
-  std::string current_path(std::string_view path) const;
+  /// As the function of that name.
+  std::string current_path(std::string_view path) const { return graph::current_path(spec_.aliases, path); }
 
  private:
   NodeType() = default;

@@ -89,7 +89,10 @@ struct PlinianCompute {
                      float* density, float* temperature);
 };
 
-/* The attributes of one node in an older scene. */
+/* The attributes of one node in an older scene. Aliases hold here too: an attribute that the scene has under
+ * an old name is read, and removed, by any of its names. What is set under a name counts over what another
+ * name of the attribute holds. What is set and the type has not, or that is no value of it, is told with the
+ * node's name and kept in the scene as a line. */
 typedef struct PlinianMigration PlinianMigration;
 typedef struct PlinianMigrate {
   size_t size;

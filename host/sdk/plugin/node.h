@@ -32,7 +32,10 @@ struct AttributeSpec {
   double step = 0.0;         // of the slider; 0: smooth
 };
 
-/// The attributes of a node in an older scene, by their paths, as texts.
+/// The attributes of a node in an older scene, by their paths, as texts. Aliases hold here too: what the
+/// scene has under an old name is read, and removed, by any of the attribute's names. What is set counts over
+/// what another name of the attribute holds; what the type has no attribute for, or that is no value of it,
+/// is told with the node's name and stays in the scene as a line.
 class Migration {
  public:
   Migration(const PlinianMigrate& table, PlinianMigration* migration)

@@ -88,6 +88,61 @@ TEST(Migration, ASceneHasOneVersionOfAType) {
   EXPECT_EQ(s.run("import \"" + s.file + "\"\ngetAttr bad.amount"), "good\nbad\ntotal1\n16");
 }
 
+TEST(Migration, AnAttributeWithAnOlderNameIsMigratedByEitherName) {
+  MigrationSession s;
+  std::ofstream(s.file) << R"(plinian scene 1.0
+requires renamed 1.2
+node renamed right
+  .strength 3
+node renamed removed
+  .strength 4
+  .how "removed"
+node renamed old
+  .strength 5
+  .how "old name"
+node renamed left
+type renamed 1 from renamed 1.0
+  .strength 7
+  .how "right"
+end
+)";
+  s.run("open \"" + s.file + "\"");
+  EXPECT_EQ(s.warnings, std::vector<std::string>());
+  EXPECT_EQ(s.run("getAttr right.amount\ngetAttr removed.amount\ngetAttr old.amount\ngetAttr left.amount"),
+            "6\n8\n10\n14");
+}
+
+TEST(Migration, WhatAMigratorSetsThatCannotBeIsToldAndKept) {
+  MigrationSession s;
+  std::ofstream(s.file) << R"(plinian scene 1.0
+requires renamed 1.2
+node renamed misspelt
+  .strength 3
+  .how "misspelt"
+node renamed word
+  .strength 3
+  .how "no number"
+type renamed 1 from renamed 1.0
+  .strength 1
+  .how "right"
+end
+)";
+  s.run("open \"" + s.file + "\"");
+  ASSERT_EQ(s.warnings.size(), 2u);
+  EXPECT_EQ(
+      s.warnings[0],
+      s.file +
+          ":3: misspelt: its migration from version 1 of the type sets '.amuont 6', but node 'misspelt' "
+          "(renamed) has no attribute 'amuont' (did you mean 'amount'?); the line is kept as it is");
+  EXPECT_EQ(s.warnings[1],
+            s.file +
+                ":7: word: its migration from version 1 of the type sets '.strength twice', but "
+                "word.strength expects a number, not 'twice'; the line is kept as it was");
+  const std::string text = s.saved();
+  EXPECT_NE(text.find("  .amuont 6\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("  .strength 3\n"), std::string::npos) << text;
+}
+
 // Else the next older plug-in would neither be told of it nor kept from saving over it.
 TEST(Migration, WhatAnOlderPluginSavesOfANewerOneStaysTheNewerOnes) {
   MigrationSession s;
