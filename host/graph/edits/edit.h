@@ -64,6 +64,9 @@ struct KeptType {
   int version = 1;                     // of the type in the file
   std::string plugin, plugin_version;  // that it needs
   std::vector<std::string> lines;      // of the type's section, word for word
+  /// Of each of them the path of the last line before it that is known here; empty: it stands before all of
+  /// those. Where there are none, as of an unknown type, the lines are all there is.
+  std::vector<std::string> after{};
   bool operator==(const KeptType&) const = default;
 };
 struct SetKeptType {

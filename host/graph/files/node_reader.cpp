@@ -53,24 +53,27 @@ NodeReader::NodeReader(NodeTypePtr type, const TypeSection& section, bool newer)
   Node model;
   model.type = type_;
   model.schema = type_->schema();
-  std::string path, rest;
+  std::string path, rest, last;
   for (const SceneLine& line : section_.lines) {
     try {
       if (!split_attribute(line.text, path, rest)) throw GraphError("");
       const Plug plug = Graph::plug(model, path);
       const SchemaAttribute& attribute = (*model.schema)[plug.attribute];
+      last = attribute.path;
       if (attribute.spec.type == AttributeType::node) continue;  // always none
       const Value value = fitted(attribute.spec, read_value(attribute.spec, split_words(rest)));
       if (value != attribute.spec.default_value) other_defaults_.emplace_back(plug.attribute, value);
     } catch (const GraphError&) {
       // From an older version a migrator may make something of it; from a newer one it is kept.
-      if (section_.version >= type_->version()) unknown_lines_.emplace_back(line.text);
+      if (section_.version < type_->version()) continue;
+      unknown_lines_.emplace_back(line.text);
+      unknown_after_.push_back(last);
     }
   }
 }
 
 KeptType NodeReader::kept() const {
-  return {section_.version, section_.plugin, section_.plugin_version, unknown_lines_};
+  return {section_.version, section_.plugin, section_.plugin_version, unknown_lines_, unknown_after_};
 }
 
 bool NodeReader::keeps_anything() const {

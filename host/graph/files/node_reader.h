@@ -72,6 +72,7 @@ class NodeReader {
   bool newer_;
   std::vector<std::pair<AttributeIndex, Value>> other_defaults_;  // in the scene than here
   std::vector<std::string> unknown_lines_;                        // of the section
+  std::vector<std::string> unknown_after_;                        // ... as KeptType::after
 };
 
 /// The second half, when all nodes are there: references, connections and locks. What cannot be used is kept.

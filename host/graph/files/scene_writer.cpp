@@ -125,9 +125,16 @@ std::vector<std::string> node_lines(const Graph& graph, const Node& node,
   return lines;
 }
 
-std::vector<std::string> type_lines(const NodeType& type) {
+std::vector<std::string> type_lines(const NodeType& type, const KeptType* kept) {
   std::vector<std::string> lines;
   const Schema& schema = *type.schema();
+  std::size_t next = 0;
+  // The kept lines behind the one of a path; several in their order.
+  const auto add_kept_behind = [&](const std::string& path) {
+    for (; kept && next < kept->after.size() && kept->after[next] == path; ++next)
+      lines.push_back(kept->lines[next]);
+  };
+  add_kept_behind("");
   for (AttributeIndex index = 0; index < schema.size(); ++index) {
     const SchemaAttribute& attribute = schema[index];
     const AttributeType kind = attribute.spec.type;
@@ -136,7 +143,10 @@ std::vector<std::string> type_lines(const NodeType& type) {
     const std::string text = write_value(attribute.spec, attribute.spec.default_value);
     if (!text.empty()) line += " " + text;
     lines.push_back(line);
+    add_kept_behind(attribute.path);
   }
+  // In another order there than here, or of an unknown type.
+  for (; kept && next < kept->lines.size(); ++next) lines.push_back(kept->lines[next]);
   return lines;
 }
 
@@ -158,8 +168,10 @@ std::string scene_text(const Graph& graph, const std::vector<const Node*>& nodes
   std::map<std::string, Section> sections;
   std::map<std::string, std::string> plugins;
   for (const auto& [name, type] : types) {
-    Section section{type->version(), type->spec().plugin, type->spec().plugin_version, type_lines(*type)};
-    if (const KeptType* kept = kept_of(name)) {
+    const KeptType* kept = kept_of(name);
+    Section section{type->version(), type->spec().plugin, type->spec().plugin_version,
+                    type_lines(*type, kept)};
+    if (kept) {
       // What an older plug-in saves of a newer one stays the newer one's: else the next that opens it would
       // take lines that it does not know for all there is.
       const bool is_newer = !kept->plugin.empty() &&
@@ -170,7 +182,6 @@ std::string scene_text(const Graph& graph, const std::vector<const Node*>& nodes
         section.plugin = kept->plugin;
         section.plugin_version = kept->plugin_version;
       }
-      section.lines.insert(section.lines.end(), kept->lines.begin(), kept->lines.end());
     }
     if (!section.plugin.empty()) {
       std::string& required = plugins[section.plugin];

@@ -40,8 +40,9 @@ std::string write_scene(const Graph& graph, const std::vector<NodeId>& nodes,
 std::vector<std::string> node_lines(const Graph& graph, const Node& node,
                                     const std::filesystem::path& folder = {});
 
-/// What stands under a type's own line: the default of everything that scenes store.
-std::vector<std::string> type_lines(const NodeType& type);
+/// What stands under a type's own line: the default of everything that scenes store and, each at its place,
+/// what is kept of the scene's own section (null: nothing).
+std::vector<std::string> type_lines(const NodeType& type, const KeptType* kept = nullptr);
 
 /// Saves the scene, whole or not at all: on the disk before it replaces the old file, which stays as
 /// `path`.bak. Throws FileError.

@@ -126,12 +126,14 @@ void forget_type(Editor& editor, const NodeTypePtr& type) {
   Graph& graph = editor.graph();
   const std::vector<NodeId> nodes = nodes_of(graph, type->name(), false);
   if (nodes.empty()) return;
-  KeptType kept{type->version(), type->spec().plugin, type->spec().plugin_version, type_lines(*type)};
-  if (const auto before = graph.kept_types().find(type->name()); before != graph.kept_types().end()) {
+  KeptType kept{type->version(), type->spec().plugin, type->spec().plugin_version, {}};
+  const auto before = graph.kept_types().find(type->name());
+  const bool was_kept = before != graph.kept_types().end();
+  kept.lines = type_lines(*type, was_kept ? &before->second : nullptr);
+  if (was_kept) {
     kept.version = std::max(kept.version, before->second.version);
     if (version_numbers(before->second.plugin_version) > version_numbers(kept.plugin_version))
       kept.plugin_version = before->second.plugin_version;
-    kept.lines.insert(kept.lines.end(), before->second.lines.begin(), before->second.lines.end());
   }
   // First what the nodes drive becomes lines of those that are driven, ...
   for (const NodeId id : nodes)

@@ -168,6 +168,25 @@ end
   EXPECT_NE(s.refusal("save").find("read-only"), std::string::npos) << "the next one is told as well";
 }
 
+TEST(Migration, WhatANewerPluginSaysOfATypeKeepsItsPlace) {
+  MigrationSession s;
+  s.run("loadPlugin wobble\ncreateNode wobble -name w");
+  std::string newer = s.saved();
+  for (std::size_t at; (at = newer.find("wobble 1.2")) != newer.npos;) newer.replace(at, 10, "wobble 1.7");
+  const std::size_t section = newer.find("type wobble");
+  for (const char* before : {"  .amount", "  .mode", "  .offset"})
+    newer.insert(newer.find(before, section), "  .new_" + std::string(before + 3) + " 1\n  .and 2\n");
+  newer.insert(newer.find("end\n"), "  .last 5\n");
+  std::ofstream(s.file) << newer;
+  s.run("open -force \"" + s.file + "\"");
+  EXPECT_EQ(s.saved(), newer);
+  // Nor is it lost on the way when the plug-in goes and comes.
+  s.run("unloadPlugin -force wobble");
+  EXPECT_EQ(s.saved(), newer);
+  s.run("loadPlugin wobble");
+  EXPECT_EQ(s.saved(), newer);
+}
+
 TEST(Migration, WhatANewerPluginSavedWithTheSameTypesStaysOfTheNewerOneToo) {
   MigrationSession s;
   const auto opened_and_saved = [&](const std::string& scene) {
