@@ -1,6 +1,8 @@
 // Calls a plug-in's command through its table. No exception leaves a function that a plug-in calls.
 #include "host/sdk/command_table.h"
 
+#include <algorithm>
+
 #include "host/graph/commands/session.h"
 #include "host/graph/graph_error.h"
 #include "host/sdk/inside_plugin.h"
@@ -92,6 +94,8 @@ graph::CommandSpec command_from(const PlinianCommand* plain, const std::shared_p
     } catch (const GraphError& error) {
       const std::string line = error.what();
       if (line.starts_with(name + ":") || line.starts_with(name + " ")) throw;
+      // Of several runs within one another the outermost says its name.
+      if (std::ranges::count(session.running(), name) > 1) throw;
       throw GraphError(name + ": " + line);
     }
   };

@@ -1,7 +1,10 @@
 // Sessions, and the scripts that run in them.
 #include "host/graph/commands/session.h"
 
+#include <algorithm>
+
 #include "core/files/atomic_file.h"
+#include "core/scene/nearest_word.h"
 #include "host/graph/edits/clear.h"
 #include "host/graph/files/scene_reader.h"
 #include "host/graph/files/scene_writer.h"
@@ -43,22 +46,35 @@ CommandResult Session::execute(std::string_view line, const std::string& merge_k
   return execute(spec, parse_arguments(spec, words), merge_key);
 }
 
+// Before the stack ends. Whoever runs itself is told by which way.
+static void check_depth(const std::vector<std::string>& running, const std::string& next) {
+  constexpr std::size_t deepest = 64;
+  if (running.size() < deepest) return;
+  const auto before = std::find(running.rbegin(), running.rend(), next);
+  const auto first = before == running.rend() ? running.begin() : std::prev(before.base());
+  throw GraphError("commands run one another without an end: " +
+                   join(std::vector<std::string>(first, running.end()), " > ") + " > " + next);
+}
+
 CommandResult Session::execute(const CommandSpec& spec, const Arguments& arguments,
                                const std::string& merge_key) {
   struct Depth {
     Session& session;
     bool failed = true;
     ~Depth() {
-      if (--session.depth_ > 0) return;
+      session.running_.pop_back();
+      if (!session.running_.empty()) return;
       for (SessionListener* listener : std::vector<SessionListener*>(session.listeners_))
         listener->ended(failed);
     }
   };
-  if (depth_ == 0)
+  check_depth(running_, spec.name);
+  if (running_.empty())
     for (SessionListener* listener : listeners_) listener->begun();
-  ++depth_;
+  running_.push_back(spec.name);
   Depth depth{*this};
-  if (spec.handles_history && depth_ > 1) throw GraphError(spec.name + ": cannot be run by another command");
+  if (spec.handles_history && running_.size() > 1)
+    throw GraphError(spec.name + ": cannot be run by another command");
   const std::string call = write_call(spec, arguments);
   CommandResult result;
   if (spec.handles_history) {
@@ -67,7 +83,7 @@ CommandResult Session::execute(const CommandSpec& spec, const Arguments& argumen
     const History::Scope scope(history_, call, merge_key);
     result = spec.run(*this, arguments);
   }
-  if (depth_ == 1 && on_echo) on_echo(call);
+  if (running_.size() == 1 && on_echo) on_echo(call);
   depth.failed = false;
   return result;
 }

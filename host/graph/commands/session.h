@@ -48,6 +48,9 @@ class Session {
   CommandResult execute(const CommandSpec& spec, const Arguments& arguments,
                         const std::string& merge_key = "");
 
+  /// The commands that are being run now, each by the one before it.
+  const std::vector<std::string>& running() const { return running_; }
+
   /// Hears of every command that ran, as the line that would run it again, of warnings, and of what was
   /// assumed.
   std::function<void(const std::string&line)> on_echo, on_warning, on_note;
@@ -100,7 +103,7 @@ class Session {
   Evaluator evaluator_;
   std::string scene_path_;
   bool read_only_ = false;
-  int depth_ = 0;  // of commands that run commands
+  std::vector<std::string> running_;  // commands, each run by the one before it
 };
 
 /// A script that an interrupt (Evaluator::set_interrupt) has ended; names file and line.

@@ -158,6 +158,39 @@ TEST(BadPlugin, FunctionsThatAreEmptyAreRefusedWhenTheyAreRegistered) {
   EXPECT_EQ(
       s.refusal("loadPlugin empty_event"),
       file + "empty_event.so: failed to initialise: the event 'timeChanged' is given no function to call");
+  EXPECT_EQ(s.refusal("loadPlugin empty_flag"),
+            file +
+                "empty_flag.so: failed to initialise: the command 'nothing': the flag -often takes no word, "
+                "so that it cannot be given several times");
+}
+
+TEST(BadPlugin, AWidgetThatThereIsNotIsToldWhenItIsRegistered) {
+  PluginSession s;
+  EXPECT_EQ(
+      s.refusal("loadPlugin bad_widget"), PLINIAN_TEST_PLUGINS
+      "/bad_widget.so: failed to initialise: attribute 'size': there is no widget 'sliderr' (did you mean "
+      "'slider'?); there are: slider, factor, look, grid of NAME, grid of NAME or none");
+}
+
+// It used to end the program with the stack.
+TEST(BadPlugin, ACommandThatRunsItselfIsEndedAndSaysByWhichWay) {
+  PluginSession s;
+  s.run("loadPlugin bad_command");
+  EXPECT_EQ(s.refusal("stumble itself"),
+            "stumble: commands run one another without an end: stumble > stumble");
+  EXPECT_EQ(s.refusal("stumble fall"),
+            "stumble: fall: commands run one another without an end: stumble > fall > stumble");
+  EXPECT_EQ(s.run("createNode transform -name still\nls still"), "still\nstill");
+}
+
+TEST(BadPlugin, AFlagOfManyMayBeGivenSeveralTimes) {
+  PluginSession s;
+  s.run("loadPlugin bad_command");
+  std::string echo;
+  s.session.on_echo = [&](const std::string& line) { echo = line; };
+  EXPECT_EQ(s.run("collect -item one -once x -item \"two words\""), "one\ntwo words");
+  EXPECT_EQ(echo, "collect -item one -item \"two words\" -once x");
+  EXPECT_EQ(s.refusal("collect -once x -once y"), "collect: -once is given twice");
 }
 
 }  // namespace

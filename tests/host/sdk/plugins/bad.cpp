@@ -97,9 +97,16 @@ static void initialise(plinian::sdk::Plugin& plugin) {
                        if (how == "other") throw 7;
                        if (how == "inner") call.execute("delete nobody");
                        if (how == "named") throw Error("stumble: not today");
+                       if (how == "itself") call.execute("stumble itself");
+                       if (how == "fall") call.execute("fall");
                      }});
+  plugin.add(Command{.name = "fall", .run = [](Call& call) { call.execute("stumble fall"); }});
+  plugin.add(Command{
+      .name = "collect", .flags = {{.name = "item", .many = true}, {.name = "once"}}, .run = [](Call& call) {
+        for (const std::string& item : call.words("item")) call.answer(item);
+      }});
 }
-PLINIAN_PLUGIN("bad", "1.0", "Nobody", "command:stumble", initialise);
+PLINIAN_PLUGIN("bad", "1.0", "Nobody", "command:stumble command:fall command:collect", initialise);
 #elif defined(BAD_EMPTY)
 static void initialise(plinian::sdk::Plugin& plugin) {
   using namespace plinian::sdk;
