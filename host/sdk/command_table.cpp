@@ -83,8 +83,11 @@ graph::CommandSpec command_from(const PlinianCommand* plain, const std::shared_p
         {text_of(a.name), kind_from(text_of(a.kind)), text_of(a.help), a.optional != 0, a.many != 0});
   for (const PlinianArgument& a : all_of(from.flags, from.flag_count)) {
     const std::string kind = text_of(a.kind);
-    spec.flags.push_back(
-        {text_of(a.name), text_of(a.help), kind.empty() ? std::nullopt : std::optional(kind_from(kind))});
+    if (kind.empty() && a.many)
+      throw GraphError("the command '" + spec.name + "': the flag -" + text_of(a.name) +
+                       " takes no word, so that it cannot be given several times");
+    spec.flags.push_back({text_of(a.name), text_of(a.help),
+                          kind.empty() ? std::nullopt : std::optional(kind_from(kind)), a.many != 0});
   }
   spec.run = [run = from.run, user = from.user, data, name = spec.name](graph::Session& session,
                                                                         const graph::Arguments& arguments) {

@@ -12,9 +12,34 @@ namespace plinian::graph {
 
 namespace {
 
-// "-time", but not "-5" or "-.5".
+// "-time", but not "-5" or "-.5"; also what is none and was meant for one, "--time" and "-level-set".
 bool is_flag(const Word& word) {
-  return !word.quoted && word.text.size() > 1 && word.text[0] == '-' && is_identifier(word.text.substr(1));
+  if (word.quoted || !word.text.starts_with('-')) return false;
+  const std::size_t begin = word.text.find_first_not_of('-');
+  std::string name = begin == word.text.npos ? "" : word.text.substr(begin);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return is_identifier(name);
+}
+
+// A flag as others spell it: "--level-set" and "-level_set" for -levelSet.
+std::string in_camel_case(std::string_view word) {
+  std::string name;
+  bool raised = false;
+  for (const char c : word.substr(word.find_first_not_of('-'))) {
+    const bool mark = c == '-' || c == '_';
+    if (!mark) name += raised ? char(std::toupper((unsigned char)c)) : c;
+    raised = mark;
+  }
+  return name;
+}
+
+bool is_number(const Word& word) {
+  try {
+    read_number(word.text);
+    return !word.quoted;
+  } catch (const GraphError&) {
+    return false;
+  }
 }
 
 std::string upper(std::string text) {
@@ -75,21 +100,26 @@ Arguments parse_arguments(const CommandSpec& spec, const std::vector<Word>& word
     if (flag == spec.flags.end()) {
       std::vector<std::string> known;
       for (const CommandFlag& other : spec.flags) known.push_back("-" + other.name);
-      const std::string meant = did_you_mean(words[i].text, known);
+      const std::string spelled = "-" + in_camel_case(words[i].text);
+      const std::string meant = std::ranges::count(known, spelled) ? " (did you mean '" + spelled + "'?)"
+                                                                   : did_you_mean(words[i].text, known);
       throw GraphError(spec.name + ": unknown flag " + shown(words[i].text) +
                        (!meant.empty()  ? meant
                         : known.empty() ? "; it takes none"
                                         : "; there are: " + join(known)));
     }
-    if (arguments.has(name)) throw GraphError(spec.name + ": -" + name + " is given twice");
+    if (arguments.has(name) && !flag->many) throw GraphError(spec.name + ": -" + name + " is given twice");
     if (!flag->takes) {
       arguments.set(name, {});
       continue;
     }
     if (i + 1 == words.size() || is_flag(words[i + 1]))
       throw GraphError(spec.name + ": -" + name + " needs a word behind it");
-    check_word(spec, "-" + name, *flag->takes, words[++i]);
-    arguments.set(name, {words[i]});
+    std::vector<Word> taken = arguments.words(name);
+    taken.push_back(words[++i]);
+    while (flag->vector && i + 1 < words.size() && is_number(words[i + 1])) taken.push_back(words[++i]);
+    for (const Word& word : taken) check_word(spec, "-" + name, *flag->takes, word);
+    arguments.set(name, std::move(taken));
   }
 
   std::size_t next = 0, needed_later = 0;
@@ -123,8 +153,13 @@ std::string write_call(const CommandSpec& spec, const Arguments& arguments) {
   };
   for (const CommandFlag& flag : spec.flags) {
     if (!arguments.has(flag.name)) continue;
-    line += " -" + flag.name;
-    for (const Word& word : arguments.words(flag.name)) add(word);
+    bool first = true;
+    for (const Word& word : arguments.words(flag.name)) {
+      if (flag.many || first) line += " -" + flag.name;
+      first = false;
+      add(word);
+    }
+    if (first) line += " -" + flag.name;
   }
   for (const CommandParameter& parameter : spec.parameters)
     for (const Word& word : arguments.words(parameter.name)) add(word);
@@ -150,7 +185,7 @@ std::vector<std::string> help_lines(const CommandSpec& spec) {
     lines.push_back("    " + padded(upper(parameter.name)) + parameter.help);
   for (const CommandFlag& flag : spec.flags)
     lines.push_back("    " + padded("-" + flag.name + (flag.takes ? " " + upper(flag.name) : "")) +
-                    flag.help);
+                    flag.help + (flag.many ? "; may be repeated" : ""));
   return lines;
 }
 

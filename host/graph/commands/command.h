@@ -30,6 +30,8 @@ struct CommandFlag {
   std::string name;  // without the hyphen
   std::string help;
   std::optional<ArgumentKind> takes;  // a word, or none: then it is on where it is given
+  bool many = false;                  // may be given several times; its words are those of all of them
+  bool vector = false;                // takes the numbers too that follow its word
 };
 
 /// Words of a call, by the name of the parameter or flag that they were given for.

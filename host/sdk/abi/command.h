@@ -9,7 +9,8 @@
 extern "C" {
 #endif
 
-/* A word of a command: a parameter, or a flag with or without a word behind it. */
+/* A word of a command: a parameter, or a flag with or without a word behind it. many: a parameter takes
+ * several words, a flag may be given several times, with a word each. optional: of parameters; flags are. */
 typedef struct PlinianArgument {
   size_t size;
   const char* name;

@@ -37,7 +37,8 @@ class Call {
 
 struct Argument {
   std::string name{}, kind = "text", help{};
-  bool optional = false, many = false;
+  bool optional = false;
+  bool many = false;  // several words; of a flag: it may be given several times, with a word each
 };
 
 struct Command {

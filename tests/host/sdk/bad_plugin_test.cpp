@@ -13,7 +13,8 @@ const std::string folder = PLINIAN_TEST_PLUGINS;
 TEST(BadPlugin, WhatCannotBeUsedIsRefusedAsAWhole) {
   const TemporaryFolder own;
   PluginSession s;
-  EXPECT_EQ(s.refusal("loadPlugin wabble"), "there is no plug-in 'wabble' in " + folder);
+  EXPECT_EQ(s.refusal("loadPlugin wabble"), "there is no plug-in 'wabble' (did you mean 'wobble'?)");
+  EXPECT_EQ(s.refusal("loadPlugin unheardOf"), "there is no plug-in 'unheardOf' in " + folder);
   EXPECT_EQ(s.refusal("loadPlugin ./nowhere.so"), "./nowhere.so: there is no such file");
   std::ofstream(own / "text.so") << "no library";
   EXPECT_EQ(s.refusal("loadPlugin " + own / "text.so"),

@@ -20,6 +20,9 @@ TEST_F(BadCommand, UnknownThingsComeWithTheNearestWord) {
             "node 'e' (every) has no attribute 'wieght' (did you mean 'weight'?)");
   EXPECT_EQ(s.refusal("setAttr f.weight 1"), "there is no node 'f' (did you mean 'e'?)");
   EXPECT_EQ(s.refusal("ls -typ sum"), "ls: unknown flag '-typ' (did you mean '-type'?)");
+  for (const char* other : {"--dataType", "-data-type", "--data_type"})
+    EXPECT_EQ(s.refusal("addAttr e z " + std::string(other) + " a"),
+              "addAttr: unknown flag '" + std::string(other) + "' (did you mean '-dataType'?)");
   EXPECT_EQ(s.refusal("undo -quickly"), "undo: unknown flag '-quickly'; it takes none");
   EXPECT_TRUE(s.refusal("ls -l").starts_with("ls: unknown flag '-l'; there are: -")) << s.refusal("ls -l");
   EXPECT_EQ(s.refusal("ls -type smu"), "unknown node type 'smu' (did you mean 'sum'?)");

@@ -113,6 +113,14 @@ static void initialise(plinian::sdk::Plugin& plugin) {
   if (BAD_EMPTY == 1) plugin.add(Command{.name = "nothing"});
   if (BAD_EMPTY == 2) plugin.add(DataType::of<int>("nothing", {}, {}));
   if (BAD_EMPTY == 3) plugin.on("timeChanged", {});
+  if (BAD_EMPTY == 5) {
+    NodeType type("badNode");
+    type.add({.name = "size", .widget = "sliderr"});
+    plugin.add(type);
+  }
+  if (BAD_EMPTY == 4)
+    plugin.add(Command{
+        .name = "nothing", .flags = {{.name = "often", .kind = "", .many = true}}, .run = [](Call&) {}});
 }
 PLINIAN_PLUGIN("bad", "1.0", "Nobody", "", initialise);
 #elif defined(BAD_DESCRIPTION)
