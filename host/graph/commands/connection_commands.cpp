@@ -10,8 +10,9 @@ namespace {
 
 CommandResult connect_attr(Session& session, const Arguments& arguments) {
   const Graph& graph = session.graph();
-  session.editor().connect(graph.plug(arguments.text("source")), graph.plug(arguments.text("destination")),
-                           arguments.has("force"));
+  const Plug destination = graph.plug(arguments.text("destination"));
+  session.editor().connect(graph.plug(arguments.text("source")), destination, arguments.has("force"));
+  if (const std::string why = without_effect(graph, destination); !why.empty()) session.warn(why);
   return {};
 }
 

@@ -129,6 +129,10 @@ void add_time_commands(CommandRegistry& commands);
 void add_file_commands(CommandRegistry& commands);
 void add_session_commands(CommandRegistry& commands);
 
+/// Why nothing will come of an attribute that is keyed or driven: another one of the node, which it is shown
+/// for, reads otherwise. One line with what to do; empty where nothing is against it.
+std::string without_effect(const Graph& graph, const Plug& plug);
+
 /// Nodes by names and patterns with * and ?, each once. Throws GraphError for a name that is none and a
 /// pattern that matches nothing.
 std::vector<NodeId> matching_nodes(const Graph& graph, const std::vector<std::string>& patterns);

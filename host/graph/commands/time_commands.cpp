@@ -38,16 +38,22 @@ std::vector<Plug> number_plugs(const Graph& graph, const Plug& plug) {
   return result;
 }
 
+// An attribute, and the numbers that it is keyed by.
+struct Animatable {
+  Plug plug;
+  std::vector<Plug> numbers;
+};
+
 // What patterns may mean.
-std::vector<Plug> animatable_plugs(const Graph& graph, const std::vector<std::string>& patterns) {
-  std::vector<Plug> result;
+std::vector<Animatable> animatable_plugs(const Graph& graph, const std::vector<std::string>& patterns) {
+  std::vector<Animatable> result;
   const auto takes = [&](const Plug& plug) {
     const AttributeSpec& spec = graph.attribute(plug).spec;
     return !spec.output && !spec.read_only && spec.keyable &&
            (is_number(spec.type) || component_count(spec.type) > 0);
   };
   for (const Plug& plug : matching_plugs(graph, patterns, takes))
-    for (const Plug& one : number_plugs(graph, plug)) result.push_back(one);
+    result.push_back({plug, number_plugs(graph, plug)});
   return result;
 }
 
@@ -84,47 +90,73 @@ struct CurveAttributes {
   AttributeIndex key, time, value, interpolation;
 };
 
-CommandResult set_keyframe(Session& session, const Arguments& arguments) {
+// The words of -value, also those of a vector in quotes.
+std::vector<Word> value_words(const Arguments& arguments) {
+  std::vector<Word> words;
+  for (const Word& word : arguments.words("value"))
+    for (const Word& one : split_words(word.text)) words.push_back(one);
+  return words;
+}
+
+// A key of one number. Returns the name of the curve.
+std::string set_one_key(Session& session, const Arguments& arguments, const Plug& plug,
+                        const std::vector<Word>& words) {
   const Graph& graph = session.graph();
   Editor& editor = session.editor();
   const double time = arguments.number("time").value_or(session.evaluator().time());
+  const ResultPtr current = session.evaluator().evaluate(plug);
+  if (current->error)
+    throw GraphError(graph.name_of(plug) + ": " + session.evaluator().error_text(plug, *current));
+  const double value = words.empty() ? number_of(current->value) : number_from(session, plug, words);
+  const Node* curve = curve_of(graph, plug);
+  NodeId id = curve ? curve->id : NodeId();
+  if (!curve) {
+    std::string base =
+        graph.find(plug.node)->name + "_" + Graph::path_of(*graph.find(plug.node)->schema, plug);
+    for (char& c : base)
+      if (c == '.' || c == '[' || c == ']') c = '_';
+    const NodeId time_node = session.time_node();
+    id = editor.create_node(session.types().get("animCurve"), base);
+    editor.connect(graph.plug(*graph.find(time_node), "out"), graph.plug(*graph.find(id), "in"));
+    editor.connect(graph.plug(*graph.find(id), "out"), plug);
+  }
+  const CurveAttributes attributes(*graph.find(id));
+  std::int32_t place = -1, next = 0;
+  for (const std::int32_t element : graph.find(id)->elements(attributes.key)) {
+    next = std::max(next, element + 1);
+    if (number_of(graph.find(id)->value(attributes.time, element)) == time) place = element;
+  }
+  if (place < 0) place = next;
+  editor.set({id, attributes.time, place}, time);
+  editor.set({id, attributes.value, place}, value);
+  if (arguments.has("interpolation")) {
+    const AttributeSpec& spec = (*graph.find(id)->schema)[attributes.interpolation].spec;
+    try {
+      editor.set({id, attributes.interpolation, place}, read_value(spec, arguments.words("interpolation")));
+    } catch (const GraphError& error) {
+      throw GraphError(std::string("setKeyframe: -interpolation: ") + error.what());
+    }
+  }
+  return graph.find(id)->name;
+}
+
+CommandResult set_keyframe(Session& session, const Arguments& arguments) {
+  const Graph& graph = session.graph();
+  const std::vector<Word> words = value_words(arguments);
+  if (arguments.has("value") && words.empty()) throw GraphError("setKeyframe: -value is empty");
   CommandResult curves;
-  for (const Plug& plug : animatable_plugs(graph, arguments.texts("plugs"))) {
-    const ResultPtr current = session.evaluator().evaluate(plug);
-    if (current->error)
-      throw GraphError(graph.name_of(plug) + ": " + session.evaluator().error_text(plug, *current));
-    const double value = arguments.has("value") ? number_from(session, plug, arguments.words("value"))
-                                                : number_of(current->value);
-    const Node* curve = curve_of(graph, plug);
-    NodeId id = curve ? curve->id : NodeId();
-    if (!curve) {
-      std::string base =
-          graph.find(plug.node)->name + "_" + Graph::path_of(*graph.find(plug.node)->schema, plug);
-      for (char& c : base)
-        if (c == '.' || c == '[' || c == ']') c = '_';
-      const NodeId time_node = session.time_node();
-      id = editor.create_node(session.types().get("animCurve"), base);
-      editor.connect(graph.plug(*graph.find(time_node), "out"), graph.plug(*graph.find(id), "in"));
-      editor.connect(graph.plug(*graph.find(id), "out"), plug);
+  for (const auto& [plug, numbers] : animatable_plugs(graph, arguments.texts("plugs"))) {
+    // One word for each of them, or one for all.
+    if (words.size() > 1 && words.size() != numbers.size())
+      throw GraphError("setKeyframe: -value: " + graph.name_of(plug) + " is keyed by " +
+                       std::to_string(numbers.size()) + (numbers.size() == 1 ? " number" : " numbers") +
+                       ", not by " + std::to_string(words.size()));
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      std::vector<Word> own = words;
+      if (words.size() > 1) own = {words[i]};
+      curves.push_back(set_one_key(session, arguments, numbers[i], own));
     }
-    const CurveAttributes attributes(*graph.find(id));
-    std::int32_t place = -1, next = 0;
-    for (const std::int32_t element : graph.find(id)->elements(attributes.key)) {
-      next = std::max(next, element + 1);
-      if (number_of(graph.find(id)->value(attributes.time, element)) == time) place = element;
-    }
-    if (place < 0) place = next;
-    editor.set({id, attributes.time, place}, time);
-    editor.set({id, attributes.value, place}, value);
-    if (arguments.has("interpolation")) {
-      const AttributeSpec& spec = (*graph.find(id)->schema)[attributes.interpolation].spec;
-      try {
-        editor.set({id, attributes.interpolation, place}, read_value(spec, arguments.words("interpolation")));
-      } catch (const GraphError& error) {
-        throw GraphError(std::string("setKeyframe: -interpolation: ") + error.what());
-      }
-    }
-    curves.push_back(graph.find(id)->name);
+    if (const std::string why = without_effect(graph, plug); !why.empty()) session.warn(why);
   }
   return curves;
 }
@@ -153,7 +185,10 @@ CommandResult cut_key(Session& session, const Arguments& arguments) {
   Editor& editor = session.editor();
   const TimeRange range(arguments);
   int cut = 0;
-  for (const Plug& plug : animatable_plugs(graph, arguments.texts("plugs"))) {
+  std::vector<Plug> plugs;
+  for (const auto& [plug, numbers] : animatable_plugs(graph, arguments.texts("plugs")))
+    plugs.insert(plugs.end(), numbers.begin(), numbers.end());
+  for (const Plug& plug : plugs) {
     const Node* curve = curve_of(graph, plug);
     if (!curve) continue;
     const NodeId id = curve->id;
@@ -192,7 +227,8 @@ void add_time_commands(CommandRegistry& commands) {
                        "node.attribute, or patterns as sun.rotate.*; a vector is keyed by components", false,
                        true}},
        .flags = {{"time", "frame (the current one)", number},
-                 {"value", "as the attribute spells it (the current one)", ArgumentKind::value},
+                 {"value", "as the attribute spells it, for a vector 1 2 3 (the current one)",
+                  ArgumentKind::value, false, true},
                  {"interpolation", "to the next key: stepped, linear or smooth", text}},
        .run = set_keyframe});
   commands.add({.name = "cutKey",

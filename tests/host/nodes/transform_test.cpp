@@ -31,5 +31,22 @@ TEST(TransformNode, ItsPartsAreKeyedTogether) {
             "11\ntranslate.x 10\ntranslate.y 10\ntranslate.z 10");
 }
 
+TEST(TransformNode, AVectorIsKeyedAtOnce) {
+  NodeSession s;
+  s.run("createNode transform -name t\nsetKeyframe t.translate -time 1 -value 1 -2 3.5");
+  EXPECT_EQ(s.run("getAttr t.translate"), "translate.x 1\ntranslate.y -2\ntranslate.z 3.5");
+  s.run("setKeyframe t.translate -value \"4 5 6\" -time 1");
+  EXPECT_EQ(s.run("getAttr t.translate"), "translate.x 4\ntranslate.y 5\ntranslate.z 6");
+  EXPECT_EQ(s.refusal("setKeyframe t.translate -value 1 2"),
+            "setKeyframe: -value: t.translate is keyed by 3 numbers, not by 2");
+  EXPECT_EQ(s.refusal("setKeyframe t.rotate.y -value 1 2"),
+            "setKeyframe: -value: t.rotate.y is keyed by 1 number, not by 2");
+  EXPECT_EQ(s.refusal("setKeyframe t.rotate.y -value \"\""), "setKeyframe: -value is empty");
+  std::string echo;
+  s.on_echo = [&](const std::string& line) { echo = line; };
+  s.run("setKeyframe -value 7 8 9 t.translate -time 2");
+  EXPECT_EQ(echo, "setKeyframe -time 2 -value 7 8 9 t.translate") << "runs again as it ran";
+}
+
 }  // namespace
 }  // namespace plinian

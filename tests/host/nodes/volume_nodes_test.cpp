@@ -97,6 +97,20 @@ TEST_F(Sequence, IsRetimedLoopedAndDrivenByAKeyedFrame) {
   EXPECT_EQ(at(2), 1.0f);
 }
 
+TEST_F(Sequence, AFrameThatIsKeyedInVainIsTold) {
+  const std::string why =
+      "r.source_frame does nothing while r.use_source_frame is false: setAttr r.use_source_frame true";
+  s.run("setKeyframe r.source_frame -time 1 -value 2");
+  EXPECT_EQ(s.warnings, std::vector<std::string>{why});
+  s.warnings.clear();
+  s.run("cutKey r.source_frame\nconnectAttr time1.out r.source_frame");
+  EXPECT_EQ(s.warnings, std::vector<std::string>{why});
+  s.warnings.clear();
+  s.run(
+      "disconnectAttr r.source_frame\nsetAttr r.use_source_frame true\nsetKeyframe r.source_frame -value 2");
+  EXPECT_EQ(s.warnings, std::vector<std::string>());
+}
+
 TEST_F(Sequence, GoingBackReadsNothingAgain) {
   for (const double time : {1.0, 2.0, 4.0}) at(time);
   EXPECT_EQ(s.computes("volumeRead"), 3u);
