@@ -1,10 +1,13 @@
 // plinian render --vary: one picture for each value, on a sheet that says which is which.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <tuple>
 #include <utility>
 
 #include "core/image/contact_sheet.h"
+#include "core/scene/scene_loader.h"
 #include "host/cli/command.h"
 #include "host/cli/console.h"
 #include "host/cli/picture.h"
@@ -25,13 +28,31 @@ Variation parse_variation(const std::string& text) {
   if (equals != text.npos) variation.key = text.substr(0, equals);
   for (std::size_t begin = equals == text.npos ? text.size() : equals + 1; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
-    if (end > begin) variation.values.push_back(text.substr(begin, end - begin));
+    if (end == begin && !(variation.values.empty() && end == text.size()))
+      throw std::runtime_error(fmt::format("--vary {}: there is no value {} a comma", text,
+                                           end == text.size() ? "behind" : "before"));
+    variation.values.push_back(text.substr(begin, end - begin));
     begin = end + 1;
   }
+  if (variation.values == std::vector<std::string>{""}) variation.values.clear();
   if (variation.key.empty() || variation.values.empty())
     throw std::runtime_error(
         fmt::format("--vary {}: expected KEY=VALUE,VALUE, such as medium.albedo=0.3,0.6,0.9", text));
   return variation;
+}
+
+// A sheet has little room: the attribute says enough, "albedo" of "medium.albedo", where it is no mere "y"
+// and no other variation's is called so too.
+std::string short_name(const Variation& variation, const std::vector<Variation>& all) {
+  const std::string& key = variation.key;
+  std::size_t dot = key.rfind('.');
+  while (dot != key.npos) {
+    const std::string_view end = std::string_view(key).substr(dot);
+    const auto has_it = [&](const Variation& other) { return ("." + other.key).ends_with(end); };
+    if (end.size() > 2 && std::ranges::count_if(all, has_it) == 1) return key.substr(dot + 1);
+    dot = dot == 0 ? key.npos : key.rfind('.', dot - 1);
+  }
+  return key;
 }
 
 // Refuses a value before pictures are made that a later one would throw away.
@@ -44,6 +65,15 @@ void check_values(PreparedScene& scene, const std::vector<Variation>& variations
       apply_edit(*scene.workspace, {variation.key, value, "--vary " + variation.key});
   check.roll_back();
   session.on_warning = on_warning;
+}
+
+// What stands in the place of a picture that could not be made.
+SheetPicture empty_cell(const std::vector<SheetPicture>& pictures, const std::string& label) {
+  SheetPicture cell{64, 64, {}, label + ": failed"};
+  for (const SheetPicture& picture : pictures)
+    if (!picture.rgb.empty()) std::tie(cell.width, cell.height) = std::pair(picture.width, picture.height);
+  cell.rgb.assign(std::size_t(cell.width) * std::size_t(cell.height) * 3, 0);
+  return cell;
 }
 
 }  // namespace
@@ -68,42 +98,59 @@ int run_variants(const RenderArguments& arguments) {
   NamedRenderer chosen = choose_renderer(arguments.renderer, {.reference_tolerance = arguments.tolerance});
   const ViewTransform view(writing.view);
   std::vector<SheetPicture> pictures;
+  std::vector<std::size_t> failed;  // of the pictures
   nlohmann::ordered_json report = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < count; ++i) {
     // The last variation changes fastest.
-    std::string label;
+    std::string label, name;
+    std::vector<SceneEdit> edits;
     nlohmann::ordered_json values;
     for (std::size_t v = variations.size(), rest = i; v-- > 0;) {
       const Variation& variation = variations[v];
       const std::string& value = variation.values[rest % variation.values.size()];
       rest /= variation.values.size();
-      apply_edit(*scene.workspace, {variation.key, value, "--vary " + variation.key});
-      // A sheet has little room: the attribute says enough.
-      label = variation.key.substr(variation.key.rfind('.') + 1) + " " + value + (label.empty() ? "" : ", ") +
-              label;
+      edits.push_back({variation.key, value, "--vary " + variation.key});
+      label = short_name(variation, variations) + " " + value + (label.empty() ? "" : ", ") + label;
+      name = variation.key + "=" + value + (name.empty() ? "" : ", ") + name;
       values[variation.key] = value;
     }
-    const SceneSnapshot snapshot = take_snapshot(scene);
-    const Picture picture =
-        make_picture(chosen, snapshot, arguments, "", fmt::format("variant {} of {}", i + 1, count));
-    if (picture.cut_short) throw RenderCancelled();
-    pictures.push_back(sheet_picture(picture.image, view, label));
-    tell_picture(label, picture);
     nlohmann::ordered_json one = {{"values", values}};
-    one.update(picture_report(picture, {}));
+    try {
+      for (const SceneEdit& edit : edits) apply_edit(*scene.workspace, edit);
+      const SceneSnapshot snapshot = take_snapshot(scene);
+      const Picture picture =
+          make_picture(chosen, snapshot, arguments, "", fmt::format("variant {} of {}", i + 1, count));
+      if (picture.cut_short) throw RenderCancelled();
+      pictures.push_back(sheet_picture(picture.image, view, label));
+      tell_picture(label, picture);
+      one.update(picture_report(picture, {}));
+    } catch (const RenderCancelled&) {
+      throw;
+    } catch (const SceneLoadCancelled&) {
+      throw;
+    } catch (const std::exception& reason) {
+      // The others are worth having all the same.
+      error(fmt::format("--vary {}: {}", name, reason.what()));
+      failed.push_back(pictures.size());
+      pictures.push_back({0, 0, {}, label});
+      one["error"] = reason.what();
+    }
     report.push_back(std::move(one));
   }
+  for (const std::size_t i : failed) pictures[i] = empty_cell(pictures, pictures[i].label);
+  if (failed.size() == count) throw std::runtime_error(arguments.sheet + ": no variant could be drawn");
   const int columns =
       variations.size() > 1 ? int(variations.back().values.size()) : int(std::min<std::size_t>(count, 6));
   const SheetPicture sheet = contact_sheet(pictures, columns);
   write_file(arguments.sheet, encode_png(sheet.rgb, sheet.width, sheet.height));
-  note(fmt::format("{}: {} pictures, {}x{}", arguments.sheet, count, sheet.width, sheet.height));
+  note(fmt::format("{}: {} pictures, {}x{}", arguments.sheet, count - failed.size(), sheet.width,
+                   sheet.height));
   if (arguments.json)
     print(nlohmann::ordered_json{
               {"input", arguments.scene.input}, {"sheet", arguments.sheet}, {"variants", report}}
               .dump(2) +
           "\n");
-  return exit_success;
+  return failed.empty() ? exit_success : exit_failure;
 }
 
 }  // namespace plinian::cli

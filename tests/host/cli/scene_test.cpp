@@ -373,6 +373,96 @@ TEST_F(Program, VariantsStandOnASheet) {
             std::string::npos);
 }
 
+TEST_F(Program, AVariantThatFailsIsNamedAndTheOthersAreDrawn) {
+  ASSERT_EQ(run({"make", "ash", "-o", "a.vdb", "--resolution", "16"}).code, 0);
+  const Ended ended =
+      run({"render", "a.vdb", "--vary", "medium_file.grid=density,gone", "--vary", "key.exposure=0,1",
+           "--sheet", "v.png", "--json", "--renderer", "cpu", "--passes", "1", "--size", "48x32"});
+  EXPECT_EQ(ended.code, 1);
+  for (const char* exposure : {"0", "1"})
+    EXPECT_NE(
+        ended.err.find("error: --vary medium_file.grid=gone, key.exposure=" + std::string(exposure) + ": "),
+        std::string::npos)
+        << ended.err;
+  const Image sheet = picture("v.png");
+  EXPECT_EQ(sheet.width, 3 * 12 + 2 * 48);
+  const auto brightness = [&](int row) {
+    const int top = 12 + row * ((sheet.height - 12) / 2);
+    double sum = 0.0;
+    for (int y = top; y < top + 32; ++y)
+      for (int x = 12; x < 12 + 48; ++x) sum += sheet.find("G")->values[std::size_t(y) * sheet.width + x];
+    return sum;
+  };
+  EXPECT_GT(brightness(0), 0.0);
+  EXPECT_EQ(brightness(1), 0.0) << "an empty cell";
+  const nlohmann::json report = nlohmann::json::parse(ended.out);
+  EXPECT_FALSE(report["variants"][0].contains("error"));
+  EXPECT_TRUE(report["variants"][2].contains("error"));
+}
+
+TEST_F(Program, VariationsAreReadWordByWord) {
+  const auto refusal = [&](const std::string& vary) {
+    const Ended ended = run({"render", "sphere", "--vary", vary, "--sheet", "v.png"});
+    EXPECT_EQ(ended.code, 1);
+    return ended.err;
+  };
+  EXPECT_EQ(refusal("medium.albedo=0.3,,"),
+            "plinian: error: --vary medium.albedo=0.3,,: there is no value before a comma\n");
+  EXPECT_EQ(refusal("medium.albedo=0.3,"),
+            "plinian: error: --vary medium.albedo=0.3,: there is no value behind a comma\n");
+  const Ended labels = render({"sphere", "--vary", "medium_place.rotate.y=0,9", "--vary", "key.exposure=1",
+                               "--vary", "rim.exposure=2", "--sheet", "v.png"});
+  EXPECT_NE(labels.err.find("rotate.y 9, key.exposure 1, rim.exposure 2: cpu"), std::string::npos)
+      << labels.err;
+  EXPECT_NE(labels.err.find(", 1 pass in "), std::string::npos) << labels.err;
+}
+
+TEST_F(Program, ASceneSaysWhatAnOptionForAVolumeMeantAndWhatHasNoSettings) {
+  render({"ash", "--resolution", "16", "--save-scene", "s", "-o", "a.png"});
+  const auto refusal = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"render", "s.plinian", "-o", "b.png"});
+    return run(more).err;
+  };
+  EXPECT_EQ(refusal({"--seed", "3"}),
+            "plinian: error: --seed: is for a volume; the scene says it by an attribute: --set "
+            "medium_noise.seed=3\n");
+  folder_.write("n.pln", "delete settings\nsave n.plinian\nsetAttr settings.width 3\n");
+  EXPECT_NE(run({"run", "n.pln", "s.plinian"})
+                .err.find("there is no node 'settings': createNode renderSettings -name settings makes it"),
+            std::string::npos);
+  EXPECT_NE(
+      run({"render", "n.plinian", "--set", "settings.width=3"}).err.find("the scene has no settings: --size"),
+      std::string::npos);
+}
+
+TEST_F(Program, AScaleOfNothingIsWhyNothingIsSeen) {
+  const Ended ended = render({"sphere", "--set", "medium_place.scale=0 0 0", "-o", "a.png"});
+  EXPECT_NE(ended.err.find("is scaled by 0: set the scale of what it is under"), std::string::npos)
+      << ended.err;
+}
+
+TEST_F(Program, AFocalLengthOfNothingIsHeldWhereItCanBeDrawn) {
+  const Ended ended = render({"sphere", "--resolution", "16", "--save-scene", "s.plinian", "-o", "a.png"});
+  const Ended held = run({"render", "s.plinian", "--set", "camera.focal_length=0", "-o", "b.png",
+                          "--renderer", "cpu", "--size", "8x8", "--passes", "1"});
+  EXPECT_EQ(held.code, 0) << held.err;
+  EXPECT_NE(held.err.find("camera.focal_length is out of its range (a number >= 0.1) and was set to 0.1"),
+            std::string::npos)
+      << held.err;
+}
+
+TEST_F(Program, AdviceOfAnImportNamesItsOwnFlags) {
+  ASSERT_EQ(run({"make", "ash", "-o", "a.vdb", "--resolution", "16"}).code, 0);
+  folder_.write("s.pln", "import a.vdb\n");
+  const Ended script = run({"run", "s.pln"});
+  EXPECT_EQ(script.code, 0);
+  EXPECT_NE(script.err.find("-upAxis"), std::string::npos) << script.err;
+  EXPECT_EQ(script.err.find("--"), std::string::npos) << script.err;
+  folder_.write("f.pln", "import a.vdb -up-axis z\n");
+  EXPECT_NE(run({"run", "f.pln"}).err.find("unknown flag '-up-axis' (did you mean '-upAxis'?)"),
+            std::string::npos);
+}
+
 TEST_F(Program, AnEditCostsNoMoreThanItsOwnWork) {
   expect_edits_cost_their_own_work("cpu", "16", "8x8", 0);
 }
