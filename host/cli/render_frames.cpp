@@ -12,6 +12,7 @@
 #include "core/scene/scene_loader.h"
 #include "host/cli/command.h"
 #include "host/cli/console.h"
+#include "host/cli/kept_setup.h"
 #include "host/cli/picture.h"
 
 namespace plinian::cli {
@@ -38,8 +39,12 @@ FrameRange parse_frames(const std::string& text) {
       good = second.ec == std::errc() && second.ptr == end;
     }
   }
-  if (!good || range.last < range.first || std::int64_t(range.last) - range.first >= 1'000'000)
-    throw std::runtime_error(fmt::format("--frames {}: expected FIRST-LAST, such as 1-48", text));
+  if (good && range.last < range.first)
+    throw std::runtime_error(fmt::format("--frames {}: the last frame comes before the first; --frames {}-{}",
+                                         text, range.last, range.first));
+  if (good && std::int64_t(range.last) - range.first >= 1'000'000)
+    throw std::runtime_error(fmt::format("--frames {}: more than a million frames", text));
+  if (!good) throw std::runtime_error(fmt::format("--frames {}: expected FIRST-LAST, such as 1-48", text));
   return range;
 }
 
@@ -87,8 +92,17 @@ int run_frames(const RenderArguments& arguments, const std::string& command_line
                        patterns[i].path(range.first)));
 
   PreparedScene scene = prepare_scene(arguments.scene);
+  graph::Session& session = scene.workspace->session();
+  // A scene of its own says it all; what is made of a sequence is settled by what is there of it.
+  const bool settles = !arguments.scene.input.ends_with(".plinian");
+  if (const auto kept = settles ? find_setup(patterns, arguments.scene) : std::nullopt;
+      kept && restore_setup(session, *kept))
+    note(fmt::format(
+        "camera, scale and lights stay as {} has them: without the pictures they are settled anew",
+        kept->picture));
+  const std::string setup = settles ? setup_text(session, arguments.scene) : "";
   // Nobody scrubs back: frames that are done need not stay in memory.
-  scene.workspace->session().evaluator().cache().set_budget(std::size_t(256) << 20);
+  session.evaluator().cache().set_budget(std::size_t(256) << 20);
   NamedRenderer chosen = choose_renderer(arguments.renderer, {.reference_tolerance = arguments.tolerance});
   nlohmann::ordered_json frames = nlohmann::ordered_json::array();
   int made = 0, left = 0;
@@ -97,7 +111,7 @@ int run_frames(const RenderArguments& arguments, const std::string& command_line
     std::vector<std::string> outputs;
     for (const FramePattern& pattern : patterns) outputs.push_back(pattern.path(frame));
     try {
-      scene.workspace->session().execute(fmt::format("currentTime {}", frame));
+      session.execute(fmt::format("currentTime {}", frame));
       const SceneSnapshot snapshot = take_snapshot(scene);
       const std::string job = job_hash(snapshot, chosen.name, arguments);
       if (std::all_of(outputs.begin(), outputs.end(),
@@ -113,6 +127,7 @@ int run_frames(const RenderArguments& arguments, const std::string& command_line
       cut_short = picture.cut_short;
       if (cut_short) break;
       picture.image.metadata[attribute::frame] = frame;
+      if (settles) picture.image.metadata[setup_attribute] = setup;
       if (scene.seed) picture.image.metadata[attribute::seed] = *scene.seed;
       for (const std::string& output : outputs) write_image(output, picture.image, writing);
       tell_picture(join(outputs), picture);

@@ -265,7 +265,9 @@ class Importer {
   SequenceSetup read_sequence(const MediumNodes& nodes) {
     SequenceSetup setup = set_up_sequence(nodes.frames, places_camera(), [&](int frame) -> SequenceFrame {
       command("currentTime " + std::to_string(frame));
-      return {sdk::volume_in(evaluate(nodes.source + ".volume")), read_facts(nodes)};
+      SequenceFrame found{sdk::volume_in(evaluate(nodes.source + ".volume")), read_facts(nodes)};
+      found.readable = std::get<std::string>(evaluate(nodes.source + ".badge")).empty();
+      return found;
     });
     if (!setup.note.empty()) told_.notes.push_back(setup.note);
     if (!setup.warning.empty()) told_.warnings.push_back(setup.warning);

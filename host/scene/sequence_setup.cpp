@@ -26,7 +26,7 @@ SequenceSetup set_up_sequence(std::vector<int> frames, bool whole,
   std::size_t first = 0;
   SequenceFrame shown;
   for (; first < count; ++first)
-    if (shown = visit(setup.frames[first]); !shown.volume->empty()) break;
+    if (shown = visit(setup.frames[first]); shown.readable && !shown.volume->empty()) break;
   const bool any = first < count;
   if (!any) {
     setup.warning = "none of the sequence's frames shows anything";
@@ -40,10 +40,17 @@ SequenceSetup set_up_sequence(std::vector<int> frames, bool whole,
     std::vector<std::size_t> further = {first + (count - 1 - first) / 2, count - 1};
     further.erase(std::unique(further.begin(), further.end()), further.end());
     std::erase(further, first);
-    for (const std::size_t i : further) {
-      setup.others.push_back(visit(setup.frames[i]).volume);
-      placed += fmt::format("{}{}", placed.empty() ? "" : " and ", setup.frames[i]);
-    }
+    std::vector<int> seen;
+    for (std::size_t i : further)
+      for (; i > first; --i) {
+        if (std::ranges::count(seen, setup.frames[i])) break;
+        SequenceFrame found = visit(setup.frames[i]);
+        if (!found.readable) continue;
+        setup.others.push_back(std::move(found.volume));
+        seen.push_back(setup.frames[i]);
+        placed += fmt::format("{}{}", placed.empty() ? "" : " and ", setup.frames[i]);
+        break;
+      }
     if (!placed.empty()) read(setup.frame);  // where time is to stand
   }
 
@@ -58,7 +65,9 @@ SequenceSetup set_up_sequence(std::vector<int> frames, bool whole,
     setup.note =
         fmt::format("{} frames, {} to {}; set up by frame {}{}{}", count, setup.frames.front(),
                     setup.frames.back(), setup.frame, first == 0 ? "" : ", the first that shows anything",
-                    placed.empty() ? "" : fmt::format("; the camera shows frame {} as well", placed));
+                    placed.empty() ? ""
+                                   : fmt::format("; the camera shows {} {} as well",
+                                                 setup.others.size() > 1 ? "frames" : "frame", placed));
   return setup;
 }
 

@@ -1,9 +1,10 @@
 // What a sequence is set up by, once for all of its frames.
 //
 // Frames are read one after the other until one shows anything; where a camera is to be placed, the middle
-// and the last of those that follow are read as well, because what burns or rises outgrows its first frame.
-// Which frames are rendered has no say, so that parts of a sequence that are made apart fit together.
-// Deliberately left out: reading all frames, which would take as long as a picture of each.
+// and the last of those that follow are read as well, because what burns or rises outgrows its first frame;
+// in the place of one that is broken stands the one before it that can be read. Which frames are rendered has
+// no say, so that parts of a sequence that are made apart fit together. Deliberately left out: reading all
+// frames, which would take as long as a picture of each.
 #pragma once
 
 #include <functional>
@@ -29,6 +30,7 @@ struct SequenceSetup {
 struct SequenceFrame {
   std::shared_ptr<const BrickVolume> volume;  // empty where there is nothing to be read
   VdbFacts facts;
+  bool readable = true;  // false: it is missing or broken, and whatever is shown says nothing of it
 };
 
 /// frames: of the disk, ascending, at least one. read: goes to a frame and reads it. whole: also reads frames

@@ -117,7 +117,41 @@ TEST_F(Program, AMissingFrameIsToldOrRefused) {
   EXPECT_EQ(refused.code, 1);
   EXPECT_NE(refused.err.find("a.2.vdb: no such file"), std::string::npos) << refused.err;
   EXPECT_EQ(run({"render", "a.#.vdb", "--frames", "3-1"}).err,
-            "plinian: error: --frames 3-1: expected FIRST-LAST, such as 1-48\n");
+            "plinian: error: --frames 3-1: the last frame comes before the first; --frames 1-3\n");
+}
+
+// What arrives late or breaks would else move the camera, and have all of them made again.
+TEST_F(Program, FramesThatAreDoneStayAsTheyAreWhenOthersArriveOrBreak) {
+  const auto make = [&](const char* kind, const char* file) {
+    ASSERT_EQ(run({"make", kind, "-o", file, "--resolution", "16"}).code, 0);
+  };
+  make("ash", "a.1.vdb");
+  make("ash", "a.2.vdb");
+  const auto frames = [&](const std::string& output) {
+    const Ended ended =
+        run({"render", "a.#.vdb", "--frames", "1-3", "-o", output, "--renderer", "cpu", "--size", "8x8",
+             "--passes", "1", "--set", "map.resolution=16", "--set", "medium_file.after=blank", "--json"});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return json::parse(ended.out);
+  };
+  const auto camera = [&](const std::string& file) {
+    return std::get<mat4>(picture(file).metadata.at(attribute::world_to_camera));
+  };
+  EXPECT_EQ(frames("k.#.exr")["made"], 3);
+  const mat4 before = camera("k.1.exr");
+  make("sandstorm", "a.3.vdb");
+  const json late = frames("k.#.exr");
+  EXPECT_EQ(late["made"], 1);
+  EXPECT_EQ(late["skipped"], 2);
+  EXPECT_EQ(camera("k.3.exr"), before);
+  frames("new.#.exr");
+  EXPECT_NE(camera("new.1.exr"), before) << "without pictures it is placed by what there is";
+  // One that breaks says nothing, and no other is made again.
+  folder_.write("a.2.vdb", "broken");
+  const json broken = frames("k.#.exr");
+  EXPECT_EQ(broken["made"], 1);
+  EXPECT_EQ(broken["skipped"], 2);
+  EXPECT_EQ(camera("k.2.exr"), before);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ namespace {
 struct Sequence {
   std::vector<int> shown, z_up;
   std::vector<int> read;  // in this order
+  std::vector<int> broken{};
 
   SequenceSetup set_up(const std::vector<int>& frames, bool whole) {
     return set_up_sequence(frames, whole, [this](int frame) -> SequenceFrame {
@@ -21,6 +22,7 @@ struct Sequence {
       const std::vector<float> voxels(BrickVolumeBuilder::block_voxels, float(frame));
       if (std::count(shown.begin(), shown.end(), frame)) builder.add({0, 0, 0}, voxels.data());
       result.volume = std::make_shared<const BrickVolume>(builder.build(dmat4(1.0)));
+      result.readable = !std::count(broken.begin(), broken.end(), frame);
       result.facts.path = "folder/s." + std::to_string(frame) + ".vdb";
       result.facts.orientation.reason = "nothing says";
       if (std::count(z_up.begin(), z_up.end(), frame))
@@ -50,6 +52,21 @@ TEST(SequenceSetup, ACameraIsPlacedByTheMiddleAndTheLastFrameAsWell) {
   EXPECT_EQ(sequence.read.back(), 3) << "time stands where it was set up";
   Sequence single{.shown = {4}, .z_up = {}, .read = {}};
   EXPECT_TRUE(single.set_up({4}, true).others.empty());
+}
+
+TEST(SequenceSetup, ABrokenFrameHasNoSay) {
+  Sequence sequence{.shown = {1, 2, 3, 4, 5}, .z_up = {}, .read = {}, .broken = {1, 5}};
+  const SequenceSetup setup = sequence.set_up({1, 2, 3, 4, 5}, true);
+  EXPECT_EQ(setup.frame, 2);
+  ASSERT_EQ(setup.others.size(), 2u);
+  EXPECT_EQ(setup.others[0]->density_max, 3.0f);
+  EXPECT_EQ(setup.others[1]->density_max, 4.0f);
+  EXPECT_EQ(
+      setup.note,
+      "5 frames, 1 to 5; set up by frame 2, the first that shows anything; the camera shows frames 3 and 4 "
+      "as well");
+  Sequence two{.shown = {1, 2}, .z_up = {}, .read = {}, .broken = {2}};
+  EXPECT_EQ(two.set_up({1, 2}, true).note, "2 frames, 1 to 2; set up by frame 1");
 }
 
 TEST(SequenceSetup, TheFirstFileThatSaysWhichWayIsUpSpeaksForAll) {
