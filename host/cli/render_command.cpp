@@ -29,12 +29,12 @@ graph::CommandResult render(scene::Workspace& workspace, Kept& kept, const graph
   if (arguments.pixels != "half" && arguments.pixels != "float")
     throw graph::GraphError("render: -pixels expects half or float");
   const std::string missing = scene::missing_types(workspace.session().graph());
-  if (!missing.empty() && !words.has("skip_unknown"))
+  if (!missing.empty() && !words.has("skipUnknown"))
     throw graph::GraphError("render: " + missing +
                             ": load it with loadPlugin, or leave it out with "
-                            "-skip_unknown");
+                            "-skipUnknown");
   scene::SceneView view = workspace.view();
-  view.skip_unknown = words.has("skip_unknown");
+  view.skip_unknown = words.has("skipUnknown");
   if (words.has("size")) view.size = parse_size(words.text("size"), "-size");
   const WriteOptions writing = write_options(arguments);
   const std::string output = words.text("file");
@@ -70,7 +70,7 @@ void add_render_command(scene::Workspace& workspace) {
                  {"passes", "exactly so many (as the quality set says)", integer},
                  {"pixels", "of an EXR: half or float (half)", text},
                  {"size", "WIDTHxHEIGHT, such as 1280x720 (as renderSettings says, or 512x512)", text},
-                 {"skip_unknown", "leaves out nodes whose plug-ins are missing", {}}},
+                 {"skipUnknown", "leaves out nodes whose plug-ins are missing", {}}},
        .run = [&workspace, kept](graph::Session&, const graph::Arguments& words) -> graph::CommandResult {
          try {
            return render(workspace, *kept, words);

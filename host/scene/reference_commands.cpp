@@ -47,7 +47,7 @@ CommandResult load_reference(Session& session, const Arguments& arguments) {
   const std::string file = arguments.text("file");
   session.execute("setAttr " + name + ".file " + quote(file));
   session.execute("setAttr " + name + ".layer " + quote(arguments.text("layer")));
-  session.execute("setAttr " + name + ".colour_space " + quote(arguments.text("colour_space", "auto")));
+  session.execute("setAttr " + name + ".colour_space " + quote(arguments.text("colourSpace", "auto")));
   const graph::Plug time = session.graph().plug(name + ".time");
   const bool driven = !session.graph().find(time.node)->inputs_of(time.attribute, time.element).empty();
   if (FramePattern::parse(file) && !driven)
@@ -68,7 +68,7 @@ void add_reference_commands(Workspace& workspace) {
        .parameters = {{"file", path, ".exr, .png or a sequence of them, such as ref.####.exr"}},
        .flags = {{"plate", "it is shown behind what is rendered", {}},
                  {"layer", "of an EXR that has several (its colour)", text},
-                 {"colour_space", "auto, linear or srgb (auto: as the file says)", text}},
+                 {"colourSpace", "auto, linear or srgb (auto: as the file says)", text}},
        .run = load_reference});
 }
 

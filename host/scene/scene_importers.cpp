@@ -45,8 +45,8 @@ graph::CommandResult import_input(graph::Session& session, const graph::Argument
   } catch (const std::runtime_error& error) {
     throw graph::GraphError(as_flags(error.what()));
   }
-  for (const std::string& line : report.notes) session.note(line);
-  for (const std::string& line : report.warnings) session.warn(line);
+  for (const std::string& line : report.notes) session.note(as_flags(line));
+  for (const std::string& line : report.warnings) session.warn(as_flags(line));
   return report.nodes;
 }
 
