@@ -39,6 +39,10 @@ const PlinianLinkedPlugin& built_in_plugin() {
 
 void add_built_in(graph::Session& session, sdk::PluginManager& plugins) {
   plugins.add_linked(plugin);
+  // What texts call by this name not every scene has.
+  session.editor().graph().hint_at_node = [](std::string_view name) {
+    return std::string(name == "settings" ? ": createNode renderSettings -name settings makes it" : "");
+  };
   if (session.graph().size() == 0) session.new_scene();
 }
 

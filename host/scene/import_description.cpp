@@ -93,8 +93,9 @@ class Importer {
     return answers.empty() ? "" : answers.front();
   }
   std::string create(const std::string& type, const std::string& name, const std::string& parent = "") {
+    const bool alone = session_.types().get(type)->spec().unique;
     const std::string wanted =
-        (options_.name_space.empty() ? "" : options_.name_space + ":") + node_name_of(name);
+        (options_.name_space.empty() || alone ? "" : options_.name_space + ":") + node_name_of(name);
     made_.push_back(command("createNode " + type + " -name " + quote(wanted) +
                             (parent.empty() ? "" : " -parent " + parent)));
     return made_.back();

@@ -51,13 +51,14 @@ CommandResult save(Session& session, const Arguments& arguments) {
   return {session.scene_path()};
 }
 
-// Puts the nodes that were made from the number `first` on into a namespace, unless their maker did. Answers
-// that name them follow.
+// Puts the nodes that were made from the number `first` on into a namespace, unless their maker did, or a
+// scene has but one of them. Answers that name them follow.
 void put_into(Session& session, NodeId first, const std::string& name_space, CommandResult& answers) {
   const Graph& graph = session.graph();
   std::vector<NodeId> made;
   for (const Node* node : graph.nodes())
-    if (node->id >= first && !node->name.starts_with(name_space + ":")) made.push_back(node->id);
+    if (node->id >= first && !node->name.starts_with(name_space + ":") && !node->type->spec().unique)
+      made.push_back(node->id);
   for (const NodeId id : made) {
     const std::string before = graph.find(id)->name;
     const std::string after = session.editor().rename(id, name_space + ":" + before);

@@ -22,6 +22,7 @@ Session::Session(const Evaluator::Options& options) : evaluator_(graph_, options
   add_time_commands(commands_);
   add_file_commands(commands_);
   add_session_commands(commands_);
+  graph_.is_registered = [this](const std::string& type) { return types_.find(type) != nullptr; };
   evaluator_.on_warning = [this](const std::string& line) { warn(line); };
   new_scene();
 }

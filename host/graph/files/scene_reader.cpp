@@ -171,7 +171,8 @@ class SceneReader {
     if (const auto spelled_out = spelled_out_.find(section.type); spelled_out != spelled_out_.end())
       spell_out(spelled_out->second, text.node);
     Node node = std::move(text.node);
-    node.name = prefix_ + section.name;
+    // What a scene has one of is found by its own name.
+    node.name = (reader.type()->spec().unique ? "" : prefix_) + section.name;
     const NodeId id = editor_.add_node(std::move(node));
     by_name_[section.name] = id;
     if (reader.type()->spec().unique)

@@ -32,7 +32,13 @@ const Node& Graph::get(std::string_view name) const {
   if (const Node* node = find(name)) return *node;
   std::vector<std::string> known;
   for (const Node* node : nodes()) known.push_back(node->name);
-  throw GraphError("there is no node " + shown(name) + did_you_mean(name, known));
+  std::string hint = hint_at_node ? hint_at_node(name) : "";
+  if (hint.empty()) hint = did_you_mean(name, known);
+  // What was imported into a namespace is called so by whoever forgot it.
+  const std::string inside = ":" + std::string(name);
+  for (std::size_t i = 0; hint.empty() && i < known.size(); ++i)
+    if (known[i].ends_with(inside)) hint = " (did you mean '" + known[i] + "'?)";
+  throw GraphError("there is no node " + shown(name) + hint);
 }
 
 std::vector<const Node*> Graph::nodes() const {
@@ -71,12 +77,23 @@ Plug Graph::plug(std::string_view name) const {
   if (node.type->is_unknown()) {
     const auto kept = kept_types_.find(node.type->name());
     const std::string plugin = kept == kept_types_.end() ? "" : kept->second.plugin;
+    if (is_registered && is_registered(node.type->name()))
+      throw GraphError("node '" + node.name + "' (" + node.type->name() + ") has no attribute " +
+                       shown(std::string(name.substr(dot + 1))) + ": it is kept as it was saved, since " +
+                       (plugin.empty() ? "what is here" : "the plug-in '" + plugin + "' that is loaded") +
+                       " could not migrate it");
     throw GraphError(
         "node '" + node.name + "' (" + node.type->name() + ") has no attribute " +
         shown(std::string(name.substr(dot + 1))) + ": its type is not known here" +
         (plugin.empty() ? "" : "; the plug-in '" + plugin + "' brings it: loadPlugin " + plugin));
   }
-  return plug(node, name.substr(dot + 1));
+  try {
+    return plug(node, name.substr(dot + 1));
+  } catch (const GraphError& error) {
+    const std::string said = error.what();
+    if (!said.ends_with('\'')) throw;  // it says more than that there is none
+    throw GraphError(said + "; getAttr " + node.name + " lists those it has");
+  }
 }
 
 Plug Graph::plug(const Node& node, std::string_view path) {

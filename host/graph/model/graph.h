@@ -4,6 +4,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <set>
@@ -68,6 +69,12 @@ class Graph {
   const std::set<NodeId>& children(NodeId id) const { return children_[id.value]; }
   const std::vector<NodeId>& selection() const { return selection_; }
   const std::map<std::string, KeptType>& kept_types() const { return kept_types_; }
+
+  /// What errors say beyond what the graph knows, given by whoever does; either may be empty. Whether a type
+  /// is registered: then its unknown nodes are those that could not be migrated.
+  std::function<bool(const std::string& type)> is_registered;
+  /// What makes a node that is not there and has a usual name; empty for others.
+  std::function<std::string(std::string_view name)> hint_at_node;
 
   /// "ash:noise1.key[3].time", "light1.colour.r".
   std::string name_of(const Plug& plug) const;

@@ -53,6 +53,11 @@ TEST(Migration, NodesThatCannotBeMigratedAreKeptWordForWordAndComeAliveWithAMend
   s.run("open \"" + s.file + "\"");
   EXPECT_EQ(s.warnings, std::vector<std::string>{s.file + ": " + why});
   EXPECT_TRUE(s.session.graph().get("bad").type->is_unknown());
+  // Loading what is loaded would not help.
+  EXPECT_EQ(
+      s.refusal("getAttr bad.amount"),
+      "node 'bad' (wobble) has no attribute 'amount': it is kept as it was saved, since the plug-in 'wobble' "
+      "that is loaded could not migrate it");
   EXPECT_EQ(s.saved(), old_scene("many"));
   s.run("unloadPlugin -force wobble\nloadPlugin " PLINIAN_TEST_PLUGINS "/wobble_mended.so");
   EXPECT_EQ(s.run("getAttr bad.amount\ngetAttr good.amount\ngetAttr bad.label\ngetAttr total.out"),
