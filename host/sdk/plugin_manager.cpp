@@ -51,6 +51,17 @@ PluginManager::PluginManager(graph::Session& session, std::vector<fs::path> fold
   };
   session_.types().elsewhere = elsewhere("node:");
   session_.commands().elsewhere = elsewhere("command:");
+  session_.file_types().elsewhere = [this](const std::string& extension) {
+    const auto is_loaded = [this](const std::string& plugin) { return libraries_.contains(plugin); };
+    // A description names file types, which are mostly called as their files end.
+    if (const std::string hint = search_.hint_at("file:" + extension, is_loaded); !hint.empty()) return hint;
+    std::string others;
+    for (const std::string& type : search_.names_of("file:", is_loaded))
+      others += (others.empty() ? "; plug-ins that are not loaded read others: the file type '"
+                                : ", the file type '") +
+                type + "'" + search_.hint_at("file:" + type, is_loaded);
+    return others;
+  };
   session_.on_requires = [this](const std::string& name) {
     try {
       if (const auto loaded = libraries_.find(name); loaded != libraries_.end())
@@ -68,6 +79,7 @@ PluginManager::PluginManager(graph::Session& session, std::vector<fs::path> fold
 PluginManager::~PluginManager() {
   session_.on_requires = nullptr;
   session_.types().elsewhere = session_.commands().elsewhere = {};
+  session_.file_types().elsewhere = nullptr;
   graph::drop_unwritable_data(session_.editor());
   session_.history().forget_steps();
   while (!libraries_.empty()) remove(*libraries_.begin()->second);

@@ -1,6 +1,7 @@
 // newScene, open, save, import, export.
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <set>
 
 #include "core/files/atomic_file.h"
@@ -26,13 +27,20 @@ CommandResult new_scene(Session& session, const Arguments& arguments) {
   return {};
 }
 
-CommandResult open(Session& session, const Arguments& arguments) {
-  refuse_unsaved(session, arguments, "open");
-  session.open_scene(arguments.text("file"));
-  return {};
+constexpr const char* scene_extension = ".plinian";
+
+// What save adds open adds, where there is no file of the name that is given.
+std::string existing_scene(const std::string& file) {
+  std::error_code error;
+  const bool bare = std::filesystem::path(file).extension().empty() && !std::filesystem::exists(file, error);
+  return bare && std::filesystem::exists(file + scene_extension, error) ? file + scene_extension : file;
 }
 
-constexpr const char* scene_extension = ".plinian";
+CommandResult open(Session& session, const Arguments& arguments) {
+  refuse_unsaved(session, arguments, "open");
+  session.open_scene(existing_scene(arguments.text("file")));
+  return {};
+}
 
 // The name of a scene that is to be written: by it every command knows that it is one.
 std::string scene_name(const std::string& command, const std::string& file, const std::string& others = "") {
@@ -96,6 +104,27 @@ void check_flags(const CommandSpec& import, const FileType* type, const Argument
   }
 }
 
+// What is taken for a scene because nothing else takes it, and is none.
+void check_is_scene(Session& session, const std::string& file) {
+  const std::string extension = std::filesystem::path(file).extension().string();
+  if (extension.empty() || extension == scene_extension || std::filesystem::is_directory(file)) return;
+  constexpr std::string_view greeting = "plinian scene ", mark = "\xef\xbb\xbf";
+  std::string begin(mark.size() + greeting.size(), '\0');
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(begin.data(), std::streamsize(begin.size()));
+  if (begin.starts_with(greeting) || begin == std::string(mark) + std::string(greeting)) return;
+  const auto& elsewhere = session.file_types().elsewhere;
+  std::string hint = elsewhere ? elsewhere(extension.substr(1)) : "";
+  const bool picture = extension == ".png" && std::ranges::count(session.commands().names(), "loadReference");
+  if (picture) hint = "; a picture to compare with is loaded by loadReference";
+  std::vector<std::string> known = {scene_extension};
+  for (const FileType* type : session.file_types().all())
+    if (type->import_file)
+      for (const std::string& own : type->extensions) known.push_back("." + own);
+  throw GraphError("import: " + file + ": no type of file that is read here ends in " + extension +
+                   (hint.empty() || picture ? "; there are: " + join(known) : "") + hint);
+}
+
 CommandResult import(Session& session, const Arguments& arguments) {
   std::string name_space = arguments.text("namespace");
   if (!name_space.empty() && !is_node_name(name_space))
@@ -107,6 +136,7 @@ CommandResult import(Session& session, const Arguments& arguments) {
     throw GraphError("import: files of the type '" + type->name + "' can only be written");
   if (const std::string file = arguments.text("file"); !type && !std::filesystem::exists(file))
     throw GraphError(file + ": there is no such file" + session.file_types().nearest_word(file));
+  if (!type) check_is_scene(session, arguments.text("file"));
   check_flags(session.commands().get("import"), type, arguments);
   Arguments settled = arguments;
   if (!name_space.empty() && !arguments.has("merge")) {

@@ -34,6 +34,9 @@ class FileTypeRegistry {
   std::vector<const FileType*> all() const;
   /// " (did you mean 'ash'?)" behind a word that is nearly one of theirs; else empty.
   std::string nearest_word(const std::string& word) const;
+  /// Which plug-in that is not loaded may read a file of an extension, as ": the plug-in 'places' brings
+  /// it: loadPlugin places"; empty where none does.
+  std::function<std::string(const std::string& extension)> elsewhere;
 
  private:
   std::map<std::string, FileType> types_;  // by name

@@ -50,6 +50,23 @@ TEST(FileType, WhatWasThereStaysWhereAnExporterFailsOrWritesNothing) {
   EXPECT_EQ(std::distance(begin(files), end(files)), 1) << "nothing is left beside it";
 }
 
+TEST(FileType, WhoReadsAFileIsToldBeforeItIsLoaded) {
+  PluginSession s;
+  const TemporaryFolder own;
+  // The description of a plug-in names its file type, which is called as its files end, or otherwise.
+  for (const char* name : {"a.list", "b.xyz", "c.png"}) std::ofstream(own / name) << "one\n";
+  EXPECT_EQ(
+      s.refusal("import \"" + own / "a.list" + "\""),
+      "import: " + own / "a.list" +
+          ": no type of file that is read here ends in .list: the plug-in 'lists' brings it: loadPlugin "
+          "lists");
+  const std::string other = s.refusal("import \"" + own / "b.xyz" + "\"");
+  EXPECT_NE(other.find("; plug-ins that are not loaded read others: the file type "), other.npos) << other;
+  EXPECT_NE(other.find("'points': the plug-in 'extras' brings it: loadPlugin extras"), other.npos) << other;
+  s.run("loadPlugin lists");
+  EXPECT_EQ(s.run("import \"" + own / "a.list" + "\""), "one");
+}
+
 TEST(FileType, AnImporterThatKnowsNoNamespacesIsGivenThem) {
   ListSession s;
   std::ofstream(s.file) << "one\ntwo\n";
