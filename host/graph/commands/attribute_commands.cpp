@@ -82,21 +82,44 @@ std::vector<Plug> inputs_with_text(const Graph& graph, const Node& node) {
   return plugs;
 }
 
+// A value as it is now, or at another time.
+std::string read_plug(Session& session, const Plug& plug, std::optional<double> time) {
+  const Graph& graph = session.graph();
+  const ResultPtr result =
+      time ? session.evaluator().evaluate_at(*time, plug) : session.evaluator().evaluate(plug);
+  if (result->error)
+    throw GraphError(graph.name_of(plug) + ": " + session.evaluator().error_text(plug, *result));
+  return write_value(spec_of(graph, plug), result->value, graph.names());
+}
+
+// A line for each of several, with its whole name.
+CommandResult get_matching(Session& session, const Arguments& arguments, const std::string& pattern) {
+  const Graph& graph = session.graph();
+  const auto has_text = [&](const Plug& plug) {
+    return graph.attribute(plug).spec.type != AttributeType::data;
+  };
+  CommandResult lines;
+  for (const Plug& plug : matching_plugs(graph, {pattern}, has_text))
+    for (const Plug& leaf : leaf_plugs(graph, plug)) {
+      const Node& node = *graph.find(leaf.node);
+      const bool locked = arguments.has("lock") && node.is_locked(leaf.attribute, leaf.element);
+      lines.push_back(graph.name_of(leaf) + " " +
+                      (arguments.has("lock") ? (locked ? "true" : "false")
+                                             : read_plug(session, leaf, arguments.number("time"))));
+    }
+  return lines;
+}
+
 CommandResult get_attr(Session& session, const Arguments& arguments) {
   const Graph& graph = session.graph();
   const std::string name = arguments.text("plug");
+  if (name.find_first_of("*?") != name.npos) return get_matching(session, arguments, name);
   const Node* node = name.find('.') == name.npos && !arguments.has("lock") ? &graph.get(name) : nullptr;
   const Plug plug = node ? Plug() : graph.plug(name);
   if (arguments.has("lock"))
     return {graph.find(plug.node)->is_locked(plug.attribute, plug.element) ? "true" : "false"};
   const auto time = arguments.number("time");
-  const auto read = [&](const Plug& leaf) {
-    const ResultPtr result =
-        time ? session.evaluator().evaluate_at(*time, leaf) : session.evaluator().evaluate(leaf);
-    if (result->error)
-      throw GraphError(graph.name_of(leaf) + ": " + session.evaluator().error_text(leaf, *result));
-    return write_value(spec_of(graph, leaf), result->value, graph.names());
-  };
+  const auto read = [&](const Plug& leaf) { return read_plug(session, leaf, time); };
   const std::vector<Plug> leaves = node ? inputs_with_text(graph, *node) : leaf_plugs(graph, plug);
   if (!node && leaves.size() == 1 && leaves[0] == plug) return {read(plug)};
   CommandResult lines;
@@ -191,14 +214,15 @@ void add_attribute_commands(CommandRegistry& commands) {
                       {"value", value, "as the attribute spells it: 0.5, 1 0 0, ash, 35mm, \"text\"", false,
                        true}},
        .run = set_attr});
-  commands.add({.name = "getAttr",
-                .help = "Answers with the value of an attribute, evaluated where it is driven.",
-                .parameters = {{"plug", plug,
-                                "node.attribute, or a node for all that can be set on it; of a compound, an "
-                                "array or a node a line for "
-                                "each part"}},
-                .flags = {{"time", "at another frame", number}, {"lock", "whether it is locked instead", {}}},
-                .run = get_attr});
+  commands.add(
+      {.name = "getAttr",
+       .help = "Answers with the value of an attribute, evaluated where it is driven.",
+       .parameters = {{"plug", plug,
+                       "node.attribute, or a node for all that can be set on it; of a compound, an "
+                       "array or a node a line for each part, of a pattern as *.visibility a line for "
+                       "each that matches"}},
+       .flags = {{"time", "at another frame", number}, {"lock", "whether it is locked instead", {}}},
+       .run = get_attr});
   commands.add({.name = "resetAttr",
                 .help = "Puts attributes back to their defaults; elements of arrays cease to exist.",
                 .parameters = {{"plugs", plug, "node.attribute, or patterns as *.visibility", false, true}},

@@ -19,9 +19,26 @@ void warn_of_second(Session& session, NodeId id) {
   }
 }
 
+// The node that -parent names.
+NodeId parent_for(Session& session, const NodeType& type, const std::string& name) {
+  const auto wrong = [](const std::string& why) { return GraphError("createNode: -parent: " + why); };
+  if (!type.spec().hierarchical)
+    throw wrong("a " + type.name() + " has no place in the transform hierarchy: leave it out");
+  const Node* parent = nullptr;
+  try {
+    parent = &session.graph().get(name);
+  } catch (const GraphError& error) {
+    throw wrong(error.what());
+  }
+  if (!parent->type->spec().holds_children)
+    throw wrong(name + " (" + parent->type->name() + ") cannot be a parent: only transforms can");
+  return parent->id;
+}
+
 CommandResult create_node(Session& session, const Arguments& arguments) {
   const NodeTypePtr type = session.types().get(arguments.text("type"));
-  const NodeId parent = arguments.has("parent") ? session.graph().get(arguments.text("parent")).id : NodeId();
+  const NodeId parent =
+      arguments.has("parent") ? parent_for(session, *type, arguments.text("parent")) : NodeId();
   const NodeId id = session.editor().create_node(type, arguments.text("name"), parent);
   session.editor().select({id});
   warn_of_second(session, id);

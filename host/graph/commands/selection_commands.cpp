@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/scene/nearest_word.h"
 #include "host/graph/commands/session.h"
 #include "host/graph/graph_error.h"
 
@@ -28,6 +29,17 @@ bool matches(std::string_view text, std::string_view pattern) {
   }
   while (p < pattern.size() && pattern[p] == '*') ++p;
   return p == pattern.size();
+}
+
+// What a pattern that matches nothing may have meant: by its letters, or the same in a namespace.
+std::string pattern_meant(const std::string& pattern, const std::vector<std::string>& known) {
+  for (const std::string& name : known)
+    if (const std::size_t colon = name.rfind(':');
+        colon != name.npos && matches(name.substr(colon + 1), pattern))
+      return " (did you mean '" + name.substr(0, colon + 1) + pattern + "'?)";
+  std::string letters = pattern;
+  std::erase_if(letters, [](char c) { return c == '*' || c == '?'; });
+  return letters.size() < 3 ? "" : did_you_mean(letters, known);  // few letters are like anything
 }
 
 CommandResult ls(Session& session, const Arguments& arguments) {
@@ -89,7 +101,11 @@ std::vector<NodeId> matching_nodes(const Graph& graph, const std::vector<std::st
       found = true;
       if (seen.insert(node->id).second) result.push_back(node->id);
     }
-    if (!found) throw GraphError("no node matches " + shown(pattern));
+    if (!found) {
+      std::vector<std::string> known;
+      for (const Node* node : graph.nodes()) known.push_back(node->name);
+      throw GraphError("no node matches " + shown(pattern) + pattern_meant(pattern, known));
+    }
   }
   return result;
 }
@@ -128,8 +144,10 @@ std::vector<Plug> matching_plugs(const Graph& graph, const std::vector<std::stri
       throw GraphError(shown(pattern) + " names no attribute: write NODE.ATTRIBUTE");
     const std::string nodes = pattern.substr(0, dot), path = pattern.substr(dot + 1);
     bool found = false;
+    std::set<std::string> known;
     for (const NodeId id : matching_nodes(graph, {nodes})) {
       const Node& node = *graph.find(id);
+      for (const std::string& own : node.schema->paths()) known.insert(own);
       std::vector<Plug> plugs;
       if (is_pattern(path)) {
         plugs = leaves_of(graph, node);
@@ -149,7 +167,10 @@ std::vector<Plug> matching_plugs(const Graph& graph, const std::vector<std::stri
         add(plug);
       }
     }
-    if (!found) throw GraphError("no attribute matches " + shown(pattern) + " that can be used here");
+    const bool there = known.contains(path);  // and cannot be used
+    if (!found)
+      throw GraphError("no attribute matches " + shown(pattern) + " that can be used here" +
+                       (there ? "" : pattern_meant(path, {known.begin(), known.end()})));
   }
   return result;
 }

@@ -199,7 +199,8 @@ void run_script(Session& session, const std::function<std::optional<std::string>
     if (session.evaluator().is_interrupted())
       throw ScriptInterrupted(where + "cancelled here; what the lines before it did is done");
   };
-  while (const std::optional<std::string> line = next()) {
+  while (std::optional<std::string> line = next()) {
+    if (number == 0 && line->starts_with("\xef\xbb\xbf")) line->erase(0, 3);  // editors put it there
     where = name + ":" + std::to_string(++number) + ": ";
     check_interrupted();
     try {

@@ -43,10 +43,14 @@ std::span<const Unit> units_of(AttributeType type) {
   return {};
 }
 
+std::string together(std::span<const Word> words) {
+  std::string text;
+  for (const Word& word : words) text += (text.empty() ? "" : " ") + word.text;
+  return text;
+}
+
 [[noreturn]] void refuse(const AttributeSpec& spec, std::span<const Word> words) {
-  std::string got;
-  for (const Word& word : words) got += (got.empty() ? "" : " ") + word.text;
-  throw GraphError("expects " + expectation(spec) + ", not " + shown(got));
+  throw GraphError("expects " + expectation(spec) + ", not " + shown(together(words)));
 }
 
 // Components of a vector: words, each of which may hold several with commas between.
@@ -99,9 +103,13 @@ std::string write_vector(const Vector& vector, const char* separator) {
 
 constexpr std::array<const char*, 3> interpolation_words = {"stepped", "linear", "smooth"};
 
+// Without a word, or of an empty text, no points.
 Value read_ramp(const AttributeSpec& spec, std::span<const Word> words) {
+  std::vector<Word> unquoted;
+  for (const Word& word : words)
+    for (Word& one : split_words(word.text)) unquoted.push_back(std::move(one));
   Ramp ramp;
-  for (const Word& word : words) {
+  for (const Word& word : unquoted) {
     const std::size_t first = word.text.find(':'), last = word.text.rfind(':');
     if (first == word.text.npos || first == last) refuse(spec, words);
     RampPoint point;
@@ -202,7 +210,7 @@ Value read_node(const AttributeSpec& spec, std::span<const Word> words, const No
   if (words.size() != 1) refuse(spec, words);
   if (words[0].text == "none") return NodeId();
   const NodeId id = names.id_of ? names.id_of(words[0].text) : NodeId();
-  if (!id) throw GraphError("there is no node " + shown(words[0].text));
+  if (!id) throw GraphError("expects a node or none, and there is no node " + shown(words[0].text));
   return id;
 }
 
@@ -261,7 +269,8 @@ Value read_value(const AttributeSpec& spec, std::span<const Word> words, const N
   switch (spec.type) {
     case AttributeType::string:
     case AttributeType::path:
-      if (words.size() != 1) refuse(spec, words);
+      if (words.size() > 1) throw GraphError("expects one text: put it in quotes, " + quote(together(words)));
+      if (words.empty()) refuse(spec, words);
       return words[0].text;
     case AttributeType::float2:
       return read_vector<vec2>(spec, words);
@@ -337,7 +346,9 @@ std::string expectation(const AttributeSpec& spec) {
     case AttributeType::node:
       return "a node or none";
     case AttributeType::ramp:
-      return "points POSITION:VALUE:INTERPOLATION (stepped, linear or smooth) in ascending order";
+      return "points POSITION:VALUE:INTERPOLATION (stepped, linear or smooth) in ascending order, or \"\" "
+             "for "
+             "none";
     case AttributeType::compound:
       return "values for its children";
     case AttributeType::data:

@@ -36,7 +36,19 @@ TEST_F(BadCommand, ValuesOfTheWrongTypeSayWhatIsExpected) {
   EXPECT_EQ(s.refusal("setAttr e.weight soft"), "e.weight expects a number from 0 to 1, not 'soft'");
   EXPECT_EQ(s.refusal("setAttr e.axis 1 2"), "e.axis expects 3 numbers, not '1 2'");
   EXPECT_EQ(s.refusal("setAttr e.mode medium"), "e.mode 'medium' is none of off (0), low (10), high (30)");
-  EXPECT_EQ(s.refusal("setAttr e.target nobody"), "e.target there is no node 'nobody'");
+  EXPECT_EQ(s.refusal("setAttr e.file two words"),
+            "e.file expects one text: put it in quotes, \"two words\"");
+  EXPECT_EQ(
+      s.refusal("setAttr e.profile 1"),
+      "e.profile expects points POSITION:VALUE:INTERPOLATION (stepped, linear or smooth) in ascending order, "
+      "or \"\" for none, not '1'");
+  EXPECT_EQ(s.refusal("createNode group -parent nobody"), "createNode: -parent: there is no node 'nobody'");
+  EXPECT_EQ(s.refusal("createNode group -parent x"),
+            "createNode: -parent: x (sum) cannot be a parent: only transforms can");
+  EXPECT_EQ(s.refusal("createNode sum -parent x"),
+            "createNode: -parent: a sum has no place in the transform hierarchy: leave it out");
+  EXPECT_EQ(s.refusal("setAttr e.target nobody"),
+            "e.target expects a node or none, and there is no node 'nobody'");
   EXPECT_EQ(s.refusal("setAttr e.volume 3"),
             "e.volume holds data of type 'volume', which have no text form here");
   EXPECT_EQ(s.refusal("currentTime soon"), "currentTime: TIME expects a number, not 'soon'");

@@ -213,6 +213,46 @@ TEST(Session, PatternsNameAttributesOfManyNodes) {
   EXPECT_EQ(s.run("cutKey g.t*\ncutKey *.*"), "3\n1");
 }
 
+TEST(Session, APatternIsReadWithTheNamesOfWhatMatches) {
+  TestSession s;
+  s.run("createNode sum -name x1\ncreateNode sum -name x2\nsetAttr x2.a 3\nlockAttr x1.a");
+  EXPECT_EQ(s.run("getAttr x*.a"), "x1.a 0\nx2.a 3");
+  EXPECT_EQ(s.run("getAttr -lock x*.a"), "x1.a true\nx2.a false");
+  s.run("createNode group -name set:roof");
+  EXPECT_EQ(s.refusal("getAttr *.translat"),
+            "no attribute matches '*.translat' that can be used here (did you mean 'translate'?)");
+  EXPECT_EQ(s.refusal("delete rof*"), "no node matches 'rof*'");
+  EXPECT_EQ(s.refusal("delete roof*"), "no node matches 'roof*' (did you mean 'set:roof*'?)");
+  EXPECT_EQ(s.refusal("delete set:ruof*"), "no node matches 'set:ruof*' (did you mean 'set:roof'?)");
+  EXPECT_EQ(s.refusal("getAttr roof.translate"), "there is no node 'roof' (did you mean 'set:roof'?)");
+}
+
+TEST(Session, ARampIsEmptiedAndTakesItsPointsInQuotesToo) {
+  TestSession s;
+  s.run("createNode every -name e\nsetAttr e.profile \"0:0:linear 1:1:smooth\"");
+  EXPECT_EQ(s.run("getAttr e.profile"), "0:0:linear 1:1:smooth");
+  s.run("setAttr e.profile \"\"");
+  EXPECT_EQ(s.run("getAttr e.profile"), "");
+  s.run("setAttr e.profile 0:1:linear\nresetAttr e.profile");
+  EXPECT_EQ(s.run("getAttr e.profile"), "");
+}
+
+TEST(Session, AScriptMayBeginWithAByteOrderMark) {
+  TestSession s;
+  EXPECT_EQ(s.run("\xef\xbb\xbf"
+                  "createNode sum -name x"),
+            "x");
+}
+
+TEST(Session, OpenAddsWhatSaveAdds) {
+  TestSession s;
+  const TemporaryFolder folder;
+  s.run("createNode sum -name x\nsave \"" + folder / "shot" + "\"\nnewScene\nopen \"" + folder / "shot" +
+        "\"\nls");
+  EXPECT_EQ(s.scene_path(), folder / "shot.plinian");
+  EXPECT_EQ(s.run("ls x"), "x");
+}
+
 TEST(Session, KeysAreCutInRanges) {
   TestSession s;
   s.run("createNode sum -name x");

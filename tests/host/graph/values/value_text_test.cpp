@@ -83,7 +83,8 @@ TEST(ValueText, SaysWhatItExpectsAndWhatItGot) {
             "'hihg' is none of off (0), low (10), high (30) (did you mean 'high'?)");
   EXPECT_EQ(message_of([] { read(AttributeType::choice, "20"); }),
             "'20' is none of off (0), low (10), high (30)");
-  EXPECT_EQ(message_of([] { read(AttributeType::node, "gone"); }), "there is no node 'gone'");
+  EXPECT_EQ(message_of([] { read(AttributeType::node, "gone"); }),
+            "expects a node or none, and there is no node 'gone'");
   EXPECT_NE(message_of([] { read(AttributeType::ramp, "1:1:linear 0:1:linear"); }).find("ascending"),
             std::string::npos);
   EXPECT_NE(message_of([] { read(AttributeType::double1, "1e999"); }).find("expects a number"),
