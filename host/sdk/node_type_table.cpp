@@ -1,6 +1,9 @@
 // Node types through plain C.
 #include "host/sdk/node_type_table.h"
 
+#include <algorithm>
+
+#include "core/scene/nearest_word.h"
 #include "host/graph/files/attribute_declaration.h"
 #include "host/graph/graph_error.h"
 #include "host/graph/model/hierarchy.h"
@@ -26,6 +29,12 @@ AttributeSpec attribute_from(const PlinianAttribute& from) {
   spec.unit = text_of(from.unit);
   spec.layout.group = text_of(from.group);
   spec.layout.widget = text_of(from.widget);
+  const std::string& widget = spec.layout.widget;
+  const std::vector<std::string> widgets = {"slider", "factor", "look"};
+  if (!widget.empty() && !widget.starts_with("grid of ") && !std::ranges::count(widgets, widget))
+    throw GraphError("attribute '" + spec.name + "': there is no widget " + graph::shown(widget) +
+                     did_you_mean(widget, widgets) + "; there are: " + join(widgets) +
+                     ", grid of NAME, grid of NAME or none");
   const std::string shown_when = text_of(from.shown_when);
   const std::size_t equals = shown_when.find('=');
   spec.layout.shown_when = shown_when.substr(0, equals);

@@ -1,11 +1,35 @@
 // Node types.
 #include "host/graph/types/node_type.h"
 
+#include <algorithm>
 #include <tuple>
 
+#include "core/scene/nearest_word.h"
 #include "host/graph/graph_error.h"
+#include "host/graph/values/words.h"
 
 namespace plinian::graph {
+
+namespace {
+
+// What could never be so, and hide an attribute for ever or show it always.
+std::string shown_when_problem(const Schema& schema, const AttributeLayout& layout) {
+  if (layout.shown_when.empty()) return "";
+  const std::string name = "'" + layout.shown_when + "'";
+  const AttributeIndex other = schema.find(layout.shown_when);
+  if (other == no_attribute)
+    return name + " reads so, which is no attribute" + did_you_mean(layout.shown_when, schema.paths());
+  const AttributeSpec& spec = schema[other].spec;
+  std::vector<std::string> words;
+  if (spec.type == AttributeType::boolean) words = {"true", "false"};
+  for (const Choice& choice : spec.choices) words.push_back(choice.word);
+  for (const std::string& word : layout.shown_words)
+    if (!words.empty() && std::find(words.begin(), words.end(), word) == words.end())
+      return name + " reads " + shown(word) + ", which it never does" + did_you_mean(word, words);
+  return "";
+}
+
+}  // namespace
 
 NodeType::NodeType(NodeTypeSpec spec) : spec_(std::move(spec)) {
   const auto wrong = [&](const std::string& why) {
@@ -19,6 +43,9 @@ NodeType::NodeType(NodeTypeSpec spec) : spec_(std::move(spec)) {
   } catch (const GraphError& error) {
     wrong(error.what());
   }
+  for (AttributeIndex i = 0; i < schema_->size(); ++i)
+    if (const std::string problem = shown_when_problem(*schema_, (*schema_)[i].spec.layout); !problem.empty())
+      wrong("attribute '" + (*schema_)[i].path + "' is shown when " + problem);
   if (!spec_.compute && !schema_->outputs().empty()) wrong("has outputs but computes nothing");
   for (const AttributeAlias& alias : spec_.aliases) {
     if (schema_->find(alias.path) == no_attribute)

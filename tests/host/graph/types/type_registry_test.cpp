@@ -30,6 +30,23 @@ TEST(TypeRegistry, RefusesTypesThatContradictThemselves) {
               registry.add({.name = "n", .version = 2, .migrators = {{2, nullptr}}});
             }),
             "node type 'n': a migrator must lead from an older version");
+  const auto shown_when = [&](const std::string& other, const std::vector<std::string>& words) {
+    return message_of([&] {
+      registry.add({.name = "n",
+                    .attributes = {{.name = "size", .layout = {.shown_when = other, .shown_words = words}},
+                                   {.name = "mode",
+                                    .type = AttributeType::choice,
+                                    .choices = {{0, "off", ""}, {1, "high", ""}}}}});
+    });
+  };
+  EXPECT_EQ(
+      shown_when("mod", {"high"}),
+      "node type 'n': attribute 'size' is shown when 'mod' reads so, which is no attribute (did you mean "
+      "'mode'?)");
+  EXPECT_EQ(
+      shown_when("mode", {"high", "hihg"}),
+      "node type 'n': attribute 'size' is shown when 'mode' reads 'hihg', which it never does (did you mean "
+      "'high'?)");
   EXPECT_TRUE(registry.names().empty());
 }
 
