@@ -13,6 +13,7 @@
 #include "host/cli/type_description.h"
 #include "host/graph/graph_error.h"
 #include "host/scene/workspace.h"
+#include "host/sdk/load_marker.h"
 #include "host/sdk/plugin_description.h"
 
 namespace plinian::cli {
@@ -38,7 +39,7 @@ Plug-ins are looked for in the folders of $PLINIAN_PLUGIN_PATH, then in the one 
 current folder.)";
 
 struct Found {
-  std::string name, path, state;  // state: "loaded", "found", or why it cannot be used
+  std::string name, path, state;  // state: "loaded", "found", or why it cannot be used or is not
   sdk::PluginDescription description;
 };
 
@@ -62,9 +63,14 @@ std::vector<Found> plugins_of(const sdk::PluginManager& plugins) {
       } catch (const graph::GraphError& failure) {
         found.state = failure.what();
       }
+      // It says so before anybody wonders why a scene lacks it.
+      if (found.state == "found" && sdk::LoadMarker::is_left(path))
+        found.state = "did not come back when it was loaded last, and is skipped; 'loadPlugin " + path +
+                      "' tries it again";
       all.push_back(std::move(found));
     }
   }
+  std::ranges::stable_sort(all, {}, &Found::name);
   return all;
 }
 
@@ -134,8 +140,10 @@ int describe_command(graph::Session& session, const std::string& name, bool as_j
                                     {"optional", parameter.optional},
                                     {"many", parameter.many}});
   for (const graph::CommandFlag& flag : spec.flags)
-    report["flags"].push_back(
-        {{"name", flag.name}, {"help", flag.help}, {"takes_word", flag.takes.has_value()}});
+    report["flags"].push_back({{"name", flag.name},
+                               {"help", flag.help},
+                               {"takes_word", flag.takes.has_value()},
+                               {"many", flag.many}});
   print_json(report);
   return exit_success;
 }

@@ -89,8 +89,15 @@ std::string PluginSearch::find(const std::string& name) const {
       std::error_code error;
       if (fs::is_regular_file(folder / file, error)) return (folder / file).string();
     }
-  std::vector<std::string> looked;
-  for (const fs::path& folder : folders_) looked.push_back(folder.string());
+  std::vector<std::string> looked, known;
+  for (const fs::path& folder : folders_) {
+    looked.push_back(folder.string());
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder, error))
+      if (entry.path().extension() == ".so") known.push_back(entry.path().stem().string());
+  }
+  if (const auto meant = did_you_mean(name, known); !meant.empty())
+    throw GraphError("there is no plug-in " + graph::shown(name) + meant);
   throw GraphError("there is no plug-in " + graph::shown(name) + " in " +
                    (looked.empty() ? "any folder: set PLINIAN_PLUGIN_PATH, or give a path" : join(looked)));
 }
