@@ -46,7 +46,8 @@ int checked_minor(const json& file, const std::string& path) {
   return minor;
 }
 
-// `not_this`: a user's own `fast` may stand on the `fast` of the installation, and not on itself.
+// `not_this`: the file whose base it is, or empty. A user's own `fast` may stand on the `fast` of the
+// installation, and not on itself.
 std::string find_preset(const std::string& name, const std::vector<std::string>& folders,
                         const std::string& not_this) {
   if (name.find('/') != std::string::npos || name.ends_with(".json")) return name;
@@ -56,9 +57,9 @@ std::string find_preset(const std::string& name, const std::vector<std::string>&
     if (path.string() != not_this && fs::is_regular_file(path, error)) return path.string();
   }
   const auto names = preset_names(folders);
-  throw std::runtime_error(
-      fmt::format("{}: no such preset{}; there are: {}", name, did_you_mean(name, names),
-                  names.empty() ? "none (looked in " + join(folders) + ")" : join(names)));
+  throw std::runtime_error(fmt::format(
+      "{}{}: no such preset{}; there are: {}", not_this.empty() ? "" : not_this + ": base: ", name,
+      did_you_mean(name, names), names.empty() ? "none (looked in " + join(folders) + ")" : join(names)));
 }
 
 // Says that a preset is not the one that comes with the program under its name: in the last of the folders.

@@ -3,6 +3,7 @@
 #include <malloc.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <new>
@@ -13,7 +14,9 @@
 #include "host/cli/command.h"
 #include "host/cli/console.h"
 #include "host/cli/interruption.h"
+#include "host/cli/render_command.h"
 #include "host/graph/commands/session.h"
+#include "host/scene/workspace.h"
 #include "host/sdk/inside_plugin.h"
 #include "host/window/window.h"
 
@@ -96,7 +99,11 @@ std::string usage_text(const CLI::App& app, const CLI::App* command, const CLI::
       return fmt::format("{}: no such option{}{}", word, did_you_mean(word, options), help);
     return fmt::format("{}: one argument too many{}", word, help);
   }
-  return failure.what() + help;
+  // "--passes: At Most 1 required but received 2"
+  const std::string said = failure.what();
+  if (const std::size_t at = said.find(": At Most 1 required"); at != said.npos)
+    return said.substr(0, at) + ": is given more than once" + help;
+  return said + help;
 }
 
 // The arguments as a shell would take them again.
@@ -119,11 +126,21 @@ std::string command_line_of(int argc, char** argv) {
   return line;
 }
 
+// Whether scripts have a command of that name.
+bool is_script_command(const std::string& name) {
+  scene::Workspace workspace;
+  add_render_command(workspace);
+  return std::ranges::count(workspace.session().commands().names(), name) > 0;
+}
+
 // Without a command the window opens, on a file where one is named and on a display where there is one.
-// "help render" is "render --help".
+// "help render" is "render --help", and "help setAttr", of a command of scripts, "plugins --command setAttr".
 std::vector<char*> with_command(int argc, char** argv) {
-  static char view[] = "view", help[] = "--help";
+  static char view[] = "view", help[] = "--help", plugins[] = "plugins", command[] = "--command";
   std::vector<char*> words(argv, argv + argc);
+  const auto is_own = [](const std::string& name) { return std::ranges::count(command_names(), name) > 0; };
+  if (argc > 2 && std::string(argv[1]) == "help" && !is_own(argv[2]) && is_script_command(argv[2]))
+    return {argv[0], plugins, command, argv[2]};
   if (argc > 2 && std::string(argv[1]) == "help") return {argv[0], argv[2], help};
   if (!window::can_open_window()) return words;
   std::error_code ignored;
@@ -160,6 +177,13 @@ int run(int given, char** given_words) {
   if (!first.starts_with("-") && std::find(names.begin(), names.end(), first) == names.end()) {
     std::error_code ignored;
     const bool file = std::filesystem::exists(first, ignored);
+    if (!file && is_script_command(first)) {
+      error(
+          fmt::format("{0}: is a command of scripts: 'plinian run SCRIPT' runs them, as in echo '{0} ...' | "
+                      "plinian run -; 'plinian help {0}' shows what it takes",
+                      first));
+      return exit_usage;
+    }
     error(fmt::format(
         "{}: no such command{}; there are: {}", first,
         file ? fmt::format(" (did you mean 'plinian render {}'?)", first) : did_you_mean(first, names),

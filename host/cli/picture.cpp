@@ -44,6 +44,9 @@ std::string why_empty(const Frame& frame, const SceneSnapshot& snapshot) {
         return medium.shape == MediumShape::voxels && (!medium.volume || medium.volume->empty());
       }))
     return "there is no density in the media at this frame";
+  for (const Medium& medium : snapshot.media)
+    if (snapshot.media.size() == 1 && glm::determinant(glm::dmat3(medium.world_from_medium)) == 0.0)
+      return fmt::format("{} is scaled by 0: set the scale of what it is under", medium.name);
   const auto any = [](const std::vector<vec3>& layer, auto test) {
     return std::any_of(layer.begin(), layer.end(), test);
   };
@@ -57,7 +60,8 @@ std::string why_empty(const Frame& frame, const SceneSnapshot& snapshot) {
   if (lit) return "";
   return snapshot.lights.empty()
              ? "nothing lights the medium: make a light, or make one visible; where default_lights of the "
-               "settings is on, or a .json has no list of lights, a key and a rim stand in for them"
+               "renderSettings is on, or a .json has no list of lights, a key, a rim and a sky stand in for "
+               "them"
              : "no light reaches what is in view: see the exposure, falloff and place of the lights";
 }
 
@@ -145,9 +149,9 @@ void tell_picture(const std::string& outputs, const Picture& picture) {
   const RenderStats& stats = picture.stats;
   const std::string change =
       stats.rest_change ? fmt::format(", to rest within {:.2g} of 255", *stats.rest_change) : "";
-  note(fmt::format("{}: {}, {}, {}x{}, {} passes in {:.2f} s (maps {:.0f} ms){}", outputs, picture.renderer,
+  note(fmt::format("{}: {}, {}, {}x{}, {} {} in {:.2f} s (maps {:.0f} ms){}", outputs, picture.renderer,
                    picture.preset, picture.image.width, picture.image.height, stats.passes,
-                   picture.render_ms / 1000.0, stats.map_ms, change));
+                   stats.passes == 1 ? "pass" : "passes", picture.render_ms / 1000.0, stats.map_ms, change));
 }
 
 nlohmann::ordered_json picture_report(const Picture& picture, const std::vector<std::string>& outputs) {

@@ -100,15 +100,48 @@ void refuse_driven(const graph::Graph& graph, const graph::Plug& plug, const Sce
     }
 }
 
+// A namespace stands for all that is in it.
+std::vector<std::string> by_namespace(const std::vector<std::string>& names) {
+  std::vector<std::string> result;
+  for (const std::string& name : names) {
+    const std::size_t colon = name.find(':');
+    const std::string shown = colon == name.npos ? name : name.substr(0, colon + 1) + "*";
+    if (std::find(result.begin(), result.end(), shown) == result.end()) result.push_back(shown);
+  }
+  return result;
+}
+
+// Where the attribute is that an option for a volume means, in a scene of nodes; empty where nowhere.
+std::string option_in_scene(const graph::Graph& graph, const SceneEdit& edit) {
+  if (!edit.where.starts_with("--") || edit.where.find(' ') != edit.where.npos) return "";
+  const std::string attribute = edit.key.substr(edit.key.rfind('.') + 1);
+  for (const graph::Node* node : graph.nodes())
+    if ((node->type->name() == "volumeRead" || node->type->name() == "volumeNoise") &&
+        node->schema->find(attribute) != graph::no_attribute)
+      return node->name + "." + attribute;
+  return "";
+}
+
 graph::Plug plug_of(const graph::Graph& graph, const SceneEdit& edit) {
   const auto dot = edit.key.find('.');
   const std::string node = edit.key.substr(0, dot);
+  const graph::Node* named = graph.find(node);
+  if (!named || named->schema->find(edit.key.substr(dot + 1)) == graph::no_attribute)
+    if (const std::string there = option_in_scene(graph, edit); !there.empty())
+      throw std::runtime_error(
+          fmt::format("{}: is for a volume; the scene says it by an attribute: --set {}={}", edit.where,
+                      there, edit.value));
   if (dot == edit.key.npos || !graph.find(node)) {
     if (node == "camera" && dot != edit.key.npos) throw std::runtime_error(no_camera(graph, edit));
     std::vector<std::string> names;
     for (const graph::Node* known : graph.nodes()) names.push_back(known->name);
+    if (node == "settings")
+      throw std::runtime_error(
+          edit.where +
+          ": the scene has no settings: --size sets the size, and a script with createNode "
+          "renderSettings -name settings and save gives it some");
     throw std::runtime_error(fmt::format("{}: nothing is called '{}'{}; there are: map, view, {}", edit.where,
-                                         node, did_you_mean(node, names), join(names)));
+                                         node, did_you_mean(node, names), join(by_namespace(names))));
   }
   try {
     return graph.plug(edit.key);
@@ -302,8 +335,11 @@ SceneSnapshot take_snapshot(PreparedScene& scene) {
 PreparedScene prepare_scene(const SceneArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   refuse_script(arguments.input);
-  if (!arguments.save_as.empty() && !is_scene(arguments.save_as))
-    throw std::runtime_error(arguments.save_as + ": the name of a scene ends in .plinian");
+  std::string save_as = arguments.save_as;
+  if (!save_as.empty() && fs::path(save_as).extension().empty() && !fs::path(save_as).filename().empty())
+    save_as += ".plinian";
+  if (!save_as.empty() && !is_scene(save_as))
+    throw std::runtime_error(save_as + ": the name of a scene ends in .plinian");
   PreparedScene scene;
   scene.workspace = std::make_unique<scene::Workspace>();
   scene.workspace->session().on_warning = [](const std::string& line) { warn(line); };
@@ -313,9 +349,9 @@ PreparedScene prepare_scene(const SceneArguments& arguments) {
   else
     import_input(scene, arguments);
   scene.snapshot = take_snapshot(scene);
-  if (!arguments.save_as.empty()) {
-    scene.workspace->session().save_scene(arguments.save_as);
-    note(arguments.save_as + ": the scene, saved");
+  if (!save_as.empty()) {
+    scene.workspace->session().save_scene(save_as);
+    note(save_as + ": the scene, saved");
   }
   scene.load_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return scene;

@@ -40,6 +40,7 @@ come, so that whoever writes them can wait for an answer.)";
 // The lines of a file, or of standard input as they come. Throws where it is a scene.
 std::function<std::optional<std::string>()> lines_of(const std::string& script) {
   const auto refuse_scene = [script](std::string_view text) {
+    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
     if (text.starts_with("plinian scene "))
       throw std::runtime_error(
           fmt::format("{0}: is a scene, not a script: 'plinian render {0}' makes a picture, "

@@ -153,6 +153,8 @@ TEST(Preset, RefusesWhatIsNoPreset) {
   EXPECT_EQ(error_for(""), "mine.json: the file is empty (or a folder)");
   EXPECT_EQ(error_of([] { load_preset("fst", {shipped}); }),
             "fst: no such preset (did you mean 'fast'?); there are: fast, high");
+  EXPECT_EQ(error_for(preset(R"("base": "hgh")")),
+            "mine.json: base: hgh: no such preset (did you mean 'high'?); there are: fast, high");
   EXPECT_NE(error_of([] { load_preset("/nowhere/x.json", {shipped}); }).find("no such file"),
             std::string::npos);
 }

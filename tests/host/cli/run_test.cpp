@@ -75,6 +75,18 @@ TEST_F(Program, AWarningOfAScriptNamesItsLine) {
   EXPECT_TRUE(ended.err.starts_with("warning: s.pln:2: m.g is out of its range")) << ended.err;
 }
 
+TEST_F(Program, AByteOrderMarkIsNoPartOfAScriptOrAScene) {
+  folder_.write("s.pln",
+                "\xef\xbb\xbf"
+                "createNode medium -name m\n");
+  folder_.write("s.plinian",
+                "\xef\xbb\xbf"
+                "plinian scene 1.0\nend\n");
+  const Ended ended = run({"run", "s.pln", "s.plinian"});
+  EXPECT_EQ(ended.out, "m\n") << ended.err;
+  EXPECT_NE(run({"run", "s.plinian"}).err.find("is a scene, not a script"), std::string::npos);
+}
+
 TEST_F(Program, AScriptAndASceneAreToldApart) {
   folder_.write("s.pln", "ls\n");
   folder_.write("s.plinian", "plinian scene 1.0\nend\n");

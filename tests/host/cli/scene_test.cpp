@@ -207,7 +207,7 @@ TEST_F(Program, WithoutThePluginASceneOpensSaysSoAndIsKeptByteForByte) {
   EXPECT_EQ(script.code, 1);
   EXPECT_NE(script.err.find("n.pln:1: render: 1 node of the type 'atfmVolume'"), std::string::npos)
       << script.err;
-  folder_.write("n.pln", "render n.png -renderer cpu -skip_unknown\n");
+  folder_.write("n.pln", "render n.png -renderer cpu -skipUnknown\n");
   EXPECT_EQ(run({"run", "n.pln", "a.plinian", "--quiet"}, without).code, 0);
   // What needs the plug-in to be made fails in one line.
   const Ended bare = run({"render", "sphere", "-o", "b.png"}, without);

@@ -74,6 +74,17 @@ TEST(Usage, AMistypedCommandOrOptionIsToldTheNearestOne) {
   EXPECT_TRUE(contains(usage_error({"info", "a.vdb", "b.vdb"}), "b.vdb: one argument too many"));
 }
 
+TEST(Usage, CommandsOfScriptsAreToldApartAndHelpedWith) {
+  EXPECT_EQ(usage_error({"import", "ash"}),
+            "plinian: error: import: is a command of scripts: 'plinian run SCRIPT' runs them, as in echo "
+            "'import ...' "
+            "| plinian run -; 'plinian help import' shows what it takes\n");
+  const Ended ended = plinian_program({"help", "setAttr"});
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_EQ(ended.out, plinian_program({"plugins", "--command", "setAttr"}).out);
+  EXPECT_TRUE(contains(ended.out, "setAttr PLUG VALUE...")) << ended.out;
+}
+
 TEST(Usage, AFileInPlaceOfACommandIsToldHowToRenderIt) {
   TemporaryFolder folder;
   const std::string file = folder.write("cloud.vdb", "x");
@@ -84,6 +95,8 @@ TEST(Usage, WrongArgumentsAreOneLineThatNamesThem) {
   EXPECT_TRUE(contains(usage_error({"render"}), "INPUT"));
   EXPECT_TRUE(contains(usage_error({"render", "ash", "--passes", "0"}), "--passes"));
   EXPECT_TRUE(contains(usage_error({"render", "ash", "--samples", "many"}), "--passes"));
+  EXPECT_TRUE(contains(usage_error({"render", "ash", "--passes", "2", "--passes", "3"}),
+                       "--passes: is given more than once;"));
   EXPECT_TRUE(contains(usage_error({"render", "ash", "--renderer", "magic"}), "--renderer"));
   EXPECT_TRUE(contains(usage_error({"render", "ash", "-o"}), "-o"));
   EXPECT_TRUE(contains(usage_error({"make", "ash"}), "--output"));
