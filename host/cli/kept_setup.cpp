@@ -7,6 +7,7 @@
 
 #include "core/image/image_io.h"
 #include "core/scene/nearest_word.h"
+#include "host/graph/files/scene_reader.h"
 #include "host/graph/graph_error.h"
 #include "host/graph/model/hierarchy.h"
 #include "host/graph/values/hash.h"
@@ -29,6 +30,8 @@ std::string key_of(const SceneArguments& arguments) {
   graph::Hasher hash;
   hash.add(std::string_view(arguments.input));
   hash.add(std::string_view(arguments.size));
+  // What it says itself is no matter of which frames there are.
+  if (arguments.input.ends_with(".json")) hash.add(std::string_view(graph::read_text_file(arguments.input)));
   for (const SceneEdit& edit : edits_of(arguments)) {
     if (is_quality_key(edit.key)) continue;
     hash.add(std::string_view(edit.key));
@@ -46,10 +49,11 @@ std::vector<std::string> settled_values(graph::Session& session) {
   std::vector<std::string> values;
   for (const graph::Node* node : graph.nodes())
     for (const char* attribute : settled_attributes(node->type->name()))
-      for (const graph::Plug& leaf : leaf_plugs(graph, graph.plug(node->name + "." + attribute)))
-        if (node->inputs_of(leaf.attribute).empty())
-          values.push_back(graph.name_of(leaf) + " " +
-                           session.execute("getAttr " + graph.name_of(leaf)).front());
+      if (node->schema->find(attribute) != graph::no_attribute)
+        for (const graph::Plug& leaf : leaf_plugs(graph, graph.plug(node->name + "." + attribute)))
+          if (node->inputs_of(leaf.attribute).empty())
+            values.push_back(graph.name_of(leaf) + " " +
+                             session.execute("getAttr " + graph.name_of(leaf)).front());
   return values;
 }
 

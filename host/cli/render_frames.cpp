@@ -96,10 +96,12 @@ int run_frames(const RenderArguments& arguments, const std::string& command_line
   // A scene of its own says it all; what is made of a sequence is settled by what is there of it.
   const bool settles = !arguments.scene.input.ends_with(".plinian");
   if (const auto kept = settles ? find_setup(patterns, arguments.scene) : std::nullopt;
-      kept && restore_setup(session, *kept))
+      kept && restore_setup(session, *kept)) {
     note(fmt::format(
         "camera, scale and lights stay as {} has them: without the pictures they are settled anew",
         kept->picture));
+    if (!arguments.scene.save_as.empty()) session.save_scene("");
+  }
   const std::string setup = settles ? setup_text(session, arguments.scene) : "";
   // Nobody scrubs back: frames that are done need not stay in memory.
   session.evaluator().cache().set_budget(std::size_t(256) << 20);
