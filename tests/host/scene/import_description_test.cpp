@@ -279,6 +279,37 @@ TEST(ImportCommand, AVolumeComesAloneAndANeutralSceneWithAllItHas) {
   EXPECT_EQ(w.run("ls"), "time1");
 }
 
+TEST(ImportCommand, WhatASceneHasOneOfStaysOutOfNamespaces) {
+  TemporaryFolder folder;
+  for (const char* first : {"import sphere -namespace seq", "import sphere -setup -namespace seq"}) {
+    TestWorkspace w;
+    w.run(first);
+    EXPECT_EQ(w.run("ls -type renderSettings"), "settings") << first;
+    w.run("save \"" + folder / "a.plinian" + "\"");
+    // By way of a scene that brings them to one that has none.
+    w.run("newScene\nimport -namespace far \"" + folder / "a.plinian" + "\"");
+    EXPECT_EQ(w.run("ls -type renderSettings"), "settings") << first;
+    EXPECT_EQ(w.run("ls far:seq:medium"), "far:seq:medium");
+  }
+}
+
+TEST(ImportCommand, AdviceNamesItsFlags) {
+  TemporaryFolder folder;
+  BrickVolumeBuilder builder;
+  const std::vector<float> voxels(BrickVolumeBuilder::block_voxels, 1.0f);
+  builder.add({0, 0, 0}, voxels.data());
+  write_vdb(folder / "a.vdb", builder.build(dmat4(1.0)));
+  TestWorkspace w;
+  std::string notes;
+  w.session().on_note = [&](const std::string& line) { notes += line + "\n"; };
+  w.run("import " + folder / "a.vdb");
+  EXPECT_NE(notes.find("-upAxis"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("-densityScale"), std::string::npos) << notes;
+  EXPECT_EQ(notes.find("--"), std::string::npos) << notes;
+  EXPECT_EQ(w.refusal("import " + folder / "a.vdb" + " -up-axis z"),
+            "import: unknown flag '-up-axis' (did you mean '-upAxis'?)");
+}
+
 TEST(ImportCommand, TakesTheOptionsOfAVolumeThatRenderTakes) {
   TemporaryFolder folder;
   BrickVolumeBuilder builder;
