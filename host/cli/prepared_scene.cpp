@@ -147,7 +147,11 @@ graph::Plug plug_of(const graph::Graph& graph, const SceneEdit& edit) {
     return graph.plug(edit.key);
   } catch (const graph::GraphError& error) {
     // What places a camera is no attribute of it, and is mistyped as easily.
-    const std::string said = error.what();
+    std::string said = error.what();
+    // What lists them in a script.
+    if (const std::size_t advice = said.find("; getAttr "); advice != said.npos)
+      said = fmt::format("{}; 'plinian plugins --type {}' lists those it has", said.substr(0, advice),
+                         graph.find(node)->type->name());
     const auto meant = node == "camera" && said.find("did you mean") == said.npos
                            ? nearest_word(edit.key.substr(dot + 1), parameter_names(camera_parameters()))
                            : std::nullopt;

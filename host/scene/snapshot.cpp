@@ -230,8 +230,8 @@ BuiltSnapshot build_snapshot(graph::Session& session, const SceneView& view) {
       !has_light_node(graph)) {
     add_default_lights(snapshot);
     built.notes.push_back(
-        "the scene has no lights: a key, a rim and a sky stand in for them "
-        "(default_lights of renderSettings)");
+        std::string("the scene has no lights: a key, a rim and a sky stand in for them (default_lights of ") +
+        (settings ? settings->name : "renderSettings, which createNode makes") + ")");
   }
   if (view.size) {
     snapshot.width = view.size->x;

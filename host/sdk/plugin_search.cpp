@@ -94,7 +94,10 @@ std::string PluginSearch::find(const std::string& name) const {
     looked.push_back(folder.string());
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(folder, error))
-      if (entry.path().extension() == ".so") known.push_back(entry.path().stem().string());
+      if (entry.path().extension() == ".so") {
+        const std::string stem = entry.path().stem().string();
+        known.push_back(stem.starts_with("lib") ? stem.substr(3) : stem);
+      }
   }
   if (const auto meant = did_you_mean(name, known); !meant.empty())
     throw GraphError("there is no plug-in " + graph::shown(name) + meant);

@@ -86,6 +86,13 @@ TEST_F(Crash, APluginThatWasBuiltAgainIsTriedAgain) {
   };
   EXPECT_EQ(load("load"), 128 + SIGSEGV);
   EXPECT_EQ(load(""), 1);
+  RunOptions listing;
+  listing.environment = {{"PLINIAN_PLUGIN_PATH", folder_.path()}, {"XDG_STATE_HOME", (folder_ / "state")}};
+  const Ended listed = run({"plugins"}, listing);
+  EXPECT_NE(listed.out.find("did not come back when it was loaded last, and is skipped; 'loadPlugin " + own),
+            std::string::npos)
+      << listed.out;
+  EXPECT_LT(listed.out.find("atfm "), listed.out.find("crash ")) << "by name";
   std::filesystem::last_write_time(own, std::filesystem::last_write_time(own) + std::chrono::seconds(1));
   EXPECT_EQ(load(""), 0);
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path() / std::filesystem::path("state/plinian/loading")));
