@@ -271,7 +271,7 @@ void Interface::show_splitters(const Panes& panes) {
   splitter("##split right", {panes.attributes.begin.x - gap, top}, {gap, column}, true, sizes_.right,
            -1.0f / scale);
   splitter("##split bottom", {panes.bottom.begin.x, panes.bottom.begin.y - gap}, {panes.bottom.size.x, gap},
-           false, sizes_.shows_nodes ? sizes_.nodes : sizes_.bottom, -1.0f / scale);
+           false, sizes_.bottom, -1.0f / scale);
   splitter("##split outliner", {0.0f, panes.lights.begin.y - gap}, {panes.outliner.size.x, gap}, false,
            sizes_.outliner, 1.0f / std::max(1.0f, column));
   sizes_ = read_pane_sizes(text_of(sizes_));  // within what is sensible

@@ -71,7 +71,7 @@ std::vector<std::vector<std::size_t>> groups_of(const Neighbours& near) {
   return groups;
 }
 
-// Boxes of one group, and how high it is.
+// Boxes of one group, and how large it is.
 class Group {
  public:
   Group(std::vector<LaidOut>& boxes, const Neighbours& near, const std::vector<int>& layer,
@@ -86,7 +86,8 @@ class Group {
     for (const std::size_t i : members) columns_[std::size_t(layer[i] - first)].push_back(i);
   }
 
-  float put(float top) {
+  /// Puts its upper left corner into the origin. Returns its size.
+  vec2 put() {
     sort();
     float x = 0.0f, height = 0.0f;
     std::vector<float> heights;
@@ -97,7 +98,7 @@ class Group {
       height = std::max(height, sum);
     }
     for (std::size_t c = 0; c < columns_.size(); ++c) {
-      float y = top + std::round((height - heights[c]) / 2), width = 0.0f;
+      float y = std::round((height - heights[c]) / 2), width = 0.0f;
       for (const std::size_t i : columns_[c]) {
         boxes_[i].place = vec2(x, y);
         y += boxes_[i].size.y + row_gap;
@@ -105,7 +106,7 @@ class Group {
       }
       x += width + column_gap;
     }
-    return height;
+    return {x - column_gap, height};
   }
 
  private:
@@ -145,31 +146,63 @@ class Group {
   std::vector<std::vector<std::size_t>> columns_;
 };
 
+// Panes beneath a picture are wide and low.
+constexpr float shape = 4.0f;  // [-] of the whole, width over height
+
+// What is connected, group beside group. Returns how far they reach.
+vec2 put_in_rows(const Lists& groups, std::vector<LaidOut>& boxes, const Neighbours& near,
+                 const std::vector<int>& layer) {
+  std::vector<vec2> sizes;
+  float area = 0.0f, widest = 0.0f;
+  for (const auto& group : groups) {
+    const vec2 size = Group(boxes, near, layer, group).put();
+    sizes.push_back(size);
+    area += (size.x + column_gap) * (size.y + group_gap);
+    widest = std::max(widest, size.x);
+  }
+  const float width = std::max(widest, std::sqrt(area * shape));
+  vec2 corner(0.0f), reach(0.0f);
+  float row = 0.0f;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (corner.x > 0.0f && corner.x + sizes[g].x > width) {
+      corner = {0.0f, corner.y + row + group_gap};
+      row = 0.0f;
+    }
+    for (const std::size_t i : groups[g]) *boxes[i].place += corner;
+    reach = glm::max(reach, corner + sizes[g]);
+    corner.x += sizes[g].x + column_gap;
+    row = std::max(row, sizes[g].y);
+  }
+  return reach;
+}
+
+// What stands alone: right of the rest, in columns as high as that or as their number asks for.
+void put_in_columns(const std::vector<std::size_t>& alone, std::vector<LaidOut>& boxes, vec2 rest) {
+  float area = rest.x * rest.y;
+  for (const std::size_t i : alone) area += (boxes[i].size.x + row_gap) * (boxes[i].size.y + row_gap);
+  const float height = std::max(rest.y, std::sqrt(area / shape));
+  float x = rest.x > 0.0f ? rest.x + column_gap : 0.0f, y = 0.0f, width = 0.0f;
+  for (const std::size_t i : alone) {
+    if (y > 0.0f && y + boxes[i].size.y > height) {
+      x += width + row_gap;
+      y = width = 0.0f;
+    }
+    boxes[i].place = vec2(x, y);
+    y += boxes[i].size.y + row_gap;
+    width = std::max(width, boxes[i].size.x);
+  }
+}
+
 void lay_out_all(std::vector<LaidOut>& boxes, const Neighbours& near) {
   const std::vector<int> layer = layers_of(near, in_order_of_dependence(near));
   std::vector<std::vector<std::size_t>> groups = groups_of(near);
   std::stable_sort(groups.begin(), groups.end(),
                    [](const auto& a, const auto& b) { return a.size() > b.size(); });
-  float top = 0.0f, right = 0.0f;
-  auto group = groups.begin();
-  for (; group != groups.end() && group->size() > 1; ++group) {
-    top += Group(boxes, near, layer, *group).put(top) + group_gap;
-    for (const std::size_t i : *group) right = std::max(right, boxes[i].place->x + boxes[i].size.x);
-  }
-  // What stands alone: side by side, as wide as the rest or a few.
-  constexpr float least = 760.0f;
-  float x = 0.0f, height = 0.0f;
-  for (; group != groups.end(); ++group) {
-    LaidOut& box = boxes[group->front()];
-    if (x > 0.0f && x + box.size.x > std::max(right, least)) {
-      x = 0.0f;
-      top += height + row_gap;
-      height = 0.0f;
-    }
-    box.place = vec2(x, top);
-    x += box.size.x + row_gap;
-    height = std::max(height, box.size.y);
-  }
+  const auto lone = std::find_if(groups.begin(), groups.end(), [](const auto& g) { return g.size() == 1; });
+  const vec2 together = put_in_rows({groups.begin(), lone}, boxes, near, layer);
+  std::vector<std::size_t> alone;
+  for (auto group = lone; group != groups.end(); ++group) alone.push_back(group->front());
+  put_in_columns(alone, boxes, together);
 }
 
 // Beside its neighbours that have a place, at the height of their middle, and down to where there is room.

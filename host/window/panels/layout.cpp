@@ -37,8 +37,8 @@ Panes lay_out(const PaneSizes& sizes, vec2 room, float menu_height, float timeli
   left = std::round(left);
   right = std::round(right);
   const float fixed = timeline_height + 2 * space;
-  const float bottom = std::round(std::clamp((sizes.shows_nodes ? sizes.nodes : sizes.bottom) * scale, 0.0f,
-                                             std::max(0.0f, under - top - fixed - smallest_picture)));
+  const float bottom = std::round(
+      std::clamp(sizes.bottom * scale, 0.0f, std::max(0.0f, under - top - fixed - smallest_picture)));
   const float bottom_top = under - bottom, timeline_top = bottom_top - space - timeline_height;
   const float picture_bottom = timeline_top - space;
   const float middle = std::max(1.0f, room.x - left - right - 2 * space);
@@ -54,8 +54,8 @@ Panes lay_out(const PaneSizes& sizes, vec2 room, float menu_height, float timeli
 }
 
 std::string text_of(const PaneSizes& sizes) {
-  return fmt::format("left {}\nright {}\nbottom {}\nnodes {}\noutliner {}\nshows_nodes {}\n", sizes.left,
-                     sizes.right, sizes.bottom, sizes.nodes, sizes.outliner, int(sizes.shows_nodes));
+  return fmt::format("left {}\nright {}\nbottom {}\noutliner {}\nshows_nodes {}\n", sizes.left, sizes.right,
+                     sizes.bottom, sizes.outliner, int(sizes.shows_nodes));
 }
 
 PaneSizes read_pane_sizes(const std::string& text) {
@@ -68,7 +68,6 @@ PaneSizes read_pane_sizes(const std::string& text) {
     if (name == "left") sizes.left = std::clamp(value, 120.0f, 900.0f);
     if (name == "right") sizes.right = std::clamp(value, 200.0f, 1200.0f);
     if (name == "bottom") sizes.bottom = std::clamp(value, 40.0f, 900.0f);
-    if (name == "nodes") sizes.nodes = std::clamp(value, 80.0f, 1200.0f);
     if (name == "shows_nodes") sizes.shows_nodes = value != 0.0f;
     if (name == "outliner") sizes.outliner = std::clamp(value, 0.15f, 0.85f);
   }

@@ -13,10 +13,10 @@ struct PaneRect {
 
 /// How large the side panes are; what the window leaves, the picture has.
 struct PaneSizes {
-  float left = 230.0f, right = 350.0f;    // [points] at a scale of 1
-  float bottom = 170.0f, nodes = 300.0f;  // [points] at a scale of 1: beneath the picture, of either tab
-  float outliner = 0.62f;                 // [-] share of the left column
-  bool shows_nodes = false;               // beneath the picture, in place of the console
+  float left = 230.0f, right = 350.0f;  // [points] at a scale of 1
+  float bottom = 170.0f;                // [points] at a scale of 1: beneath the picture, whatever it shows
+  float outliner = 0.62f;               // [-] share of the left column
+  bool shows_nodes = false;             // beneath the picture, in place of the console
 };
 
 struct Panes {

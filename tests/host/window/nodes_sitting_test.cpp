@@ -93,5 +93,22 @@ TEST_F(NodesSitting, AWireConnectsIsTakenBackAndIsTakenOff) {
   EXPECT_EQ(saved("again.plinian"), original);
 }
 
+// What is compared stays compared.
+TEST_F(NodesSitting, TakeThePlaceOfTheConsoleAndLeaveThePictureAsItIs) {
+  const ivec4 picture = sitting_->item("picture");
+  const std::size_t before = sitting_->now();
+  sitting_->move({5, 5});
+  sitting_->stroke("n");
+  sitting_->wait_for(" still", sitting_->wait_for("item \"nodes canvas\"", before));
+  sitting_->keep("nodes-in-place-of-the-console.png");
+  const ivec4 canvas = sitting_->item("nodes canvas");
+  EXPECT_GE(canvas.y, picture.y + picture.w);
+  sitting_->stroke("n");
+  command(*sitting_, "ls");
+  EXPECT_EQ(sitting_->item("picture"), picture);
+  for (std::size_t i = before; i < sitting_->now(); ++i)
+    EXPECT_EQ(sitting_->line(i).find(" picture "), std::string::npos) << sitting_->line(i);
+}
+
 }  // namespace
 }  // namespace plinian

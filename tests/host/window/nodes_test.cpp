@@ -55,6 +55,23 @@ TEST(LayeredLayout, WhatIsFirstStandsRightBeforeWhatItDrives) {
   EXPECT_EQ(boxes[3].place->x, boxes[1].place->x) << "not in the first column, far from its only wire";
 }
 
+// Beneath the picture there is more width than height.
+TEST(LayeredLayout, WhatNothingConnectsStandsSideBySide) {
+  for (const std::size_t alone : {0u, 8u, 40u})
+    for (const std::size_t pairs : {0u, 1u, 6u}) {
+      if (alone + pairs < 4) continue;
+      LayoutEdges edges;
+      for (std::size_t i = 0; i < pairs; ++i) edges.emplace_back(2 * i, 2 * i + 1);
+      const auto boxes = laid_out(2 * pairs + alone, edges);
+      vec2 end(0.0f);
+      for (const LaidOut& box : boxes) end = glm::max(end, *box.place + box.size);
+      EXPECT_GT(end.x, 2.0f * end.y) << alone << " alone and " << pairs << " pairs: " << end.y << " high";
+      EXPECT_LT(end.x, 10.0f * end.y) << alone << " alone and " << pairs << " pairs: " << end.x << " wide";
+      for (std::size_t i = 0; i < boxes.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(overlap(boxes[i], boxes[j])) << i << " and " << j;
+    }
+}
+
 TEST(LayeredLayout, AnEditMovesNothingThatWasThere) {
   auto boxes = laid_out(4, {{0, 1}, {1, 2}});
   const auto before = boxes;

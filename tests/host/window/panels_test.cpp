@@ -213,6 +213,19 @@ TEST(Layout, NothingOverlapsAndThePictureKeepsItsRoom) {
   }
 }
 
+// A reference is as large as the pane was when it was rendered.
+TEST(Layout, ThePictureIsAsLargeWhateverIsShownBeneath) {
+  const PaneSizes console = read_pane_sizes("bottom 260\nnodes 400\n");
+  PaneSizes nodes = console;
+  nodes.shows_nodes = true;
+  const vec2 room(1440, 900);
+  const Panes a = lay_out(console, room, 22.0f, 30.0f, 24.0f, 1.0f, true);
+  const Panes b = lay_out(nodes, room, 22.0f, 30.0f, 24.0f, 1.0f, true);
+  EXPECT_EQ(a.bottom.size.y, 260.0f);
+  EXPECT_EQ(b.picture.size, a.picture.size);
+  EXPECT_EQ(b.bottom.size, a.bottom.size);
+}
+
 TEST(Layout, PanesAreRememberedAndNonsenseIsNot) {
   PaneSizes sizes;
   sizes.left = 301.0f;
