@@ -24,7 +24,8 @@ void add_reference_image(sdk::Plugin& plugin) {
   const sdk::Attribute file = type.add({.name = "file",
                                         .type = "path",
                                         .help = "An .exr or .png file, or a sequence: plate.####.exr.",
-                                        .affects = "image"});
+                                        .affects = "image",
+                                        .widget = "file .exr .png"});
   const sdk::Attribute time = type.add({.name = "time",
                                         .type = "time",
                                         .default_value = "1",

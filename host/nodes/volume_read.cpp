@@ -191,7 +191,8 @@ Attributes declare(sdk::NodeType& type) {
       type.add({.name = "file",
                 .type = "path",
                 .help = "A .vdb file, or a sequence of them: smoke.####.vdb, smoke.%04d.vdb, smoke.$F4.vdb.",
-                .affects = all});
+                .affects = all,
+                .widget = "file .vdb"});
   a.grid =
       type.add(attribute_of(parameters, "grid",
                             {.help = "Density grid: NAME, NAME[INDEX] or NAME[*] (their sum); empty: chosen.",

@@ -296,6 +296,10 @@ void Interface::show_dialogs() {
        .extensions = {".plinian"},
        .saves = true},
       [this](const std::string& chosen) { studio_.files.save_as(chosen); });
+  if (auto wish = std::exchange(studio_.ask_file, std::nullopt)) {
+    if (wish->question.folder.empty()) wish->question.folder = folder;
+    file_dialog_.open(studio_, std::move(wish->question), std::move(wish->take));
+  }
   file_dialog_.show(studio_);
   if (std::exchange(studio_.ask_playblast, false)) playblast_dialog_.open(studio_);
   playblast_dialog_.show(studio_);

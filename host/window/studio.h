@@ -16,6 +16,7 @@
 #include "host/window/compare/comparison.h"
 #include "host/window/compare/snapshots.h"
 #include "host/window/console/console_log.h"
+#include "host/window/files/file_browser.h"
 #include "host/window/files/grid_lists.h"
 #include "host/window/files/playblast.h"
 #include "host/window/files/scene_files.h"
@@ -103,6 +104,7 @@ class Studio {
   bool light_key_held = false;  // the mouse turns the key light
   bool focus_console = false, wants_quit = false, quit = false;
   bool ask_open = false, ask_save_as = false, ask_reference = false, ask_plate = false;
+  std::optional<FileWish> ask_file;  // of an attribute
   bool ask_playblast = false, show_snapshots = true, show_looks = false;
   bool show_nodes = false;    // beneath the picture, in place of the console
   bool show_palette = false;  // the command palette

@@ -27,7 +27,8 @@ struct AttributeSpec {
   bool of_picture = true;  // of a shape: affects its contribution
   std::vector<AttributeSpec> children{};
   std::string widget{};      // "slider", "factor"; "grid of NAME": text, a grid of the .vdb file of attribute
-                             // NAME, whose grids are offered; "grid of NAME or none"
+                             // NAME, whose grids are offered; "grid of NAME or none"; "file .exr .png": a
+                             // path, of those that a browser lists
   std::string shown_when{};  // "mode=low,high": shown while the attribute reads so
   double step = 0.0;         // of the slider; 0: smooth
 };

@@ -62,6 +62,9 @@ void FileBrowser::begin(FileQuestion question) {
   wanted_.clear();
   go_to(folder);
   type(question_.saves ? question_.name : "");
+  if (question_.saves) return;
+  wanted_ = question_.name;
+  if (!is_reading()) fill();
 }
 
 void FileBrowser::go_to(const fs::path& folder) {
@@ -122,7 +125,14 @@ void FileBrowser::fill() {
 }
 
 void FileBrowser::choose_named(const std::string& name) {
-  const auto found = std::find_if(rows_.begin(), rows_.end(), [&](const auto& e) { return e.name == name; });
+  // Sequences are spelled in several ways.
+  const auto pattern = FramePattern::parse(name);
+  const auto found = std::find_if(rows_.begin(), rows_.end(), [&](const FileEntry& entry) {
+    if (entry.name == name) return true;
+    if (!pattern || entry.kind != FileEntry::Kind::sequence) return false;
+    const auto other = FramePattern::parse(entry.name);
+    return other && other->path(entry.first) == pattern->path(entry.first);
+  });
   chosen_.reset();
   if (found != rows_.end()) chosen_ = std::size_t(found - rows_.begin());
 }
@@ -250,7 +260,9 @@ FileBrowser::Line FileBrowser::line() const {
   };
   if (how_many(listing_.entries, Kind::folder) == listing_.entries.size() && letters_.empty())
     return {question_.saves ? "No " + list_of(question_.extensions) + " here yet"
-                            : "Nothing to be opened here; looked for " + list_of(question_.extensions),
+            : question_.extensions.empty()
+                ? "There is no file here"
+                : "Nothing to be opened here; looked for " + list_of(question_.extensions),
             false, rows_.empty()};
   if (rows_.empty()) return {fmt::format("Nothing here has \"{}\" in its name", letters_), false, true};
   std::string text;

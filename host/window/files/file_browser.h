@@ -20,9 +20,15 @@ namespace plinian::window {
 struct FileQuestion {
   std::string title{};
   std::filesystem::path folder{};         // to begin in; empty: where one was last, or the working folder
-  std::string name{};                     // to begin with, where it saves
+  std::string name{};                     // to begin with; where it opens, to be chosen if it is there
   std::vector<std::string> extensions{};  // with their dots; the first is put on where one saves without any
   bool saves = false;                     // the file need not exist
+};
+
+/// A question, and who hears the answer.
+struct FileWish {
+  FileQuestion question;
+  std::function<void(const std::string&)> take;
 };
 
 class FileBrowser {

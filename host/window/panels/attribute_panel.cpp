@@ -12,6 +12,7 @@
 #include "host/window/fields/arithmetic.h"
 #include "host/window/fields/edit_lines.h"
 #include "host/window/panels/grid_field.h"
+#include "host/window/panels/path_field.h"
 #include "host/window/platform/theme.h"
 
 namespace plinian::window {
@@ -43,17 +44,21 @@ void send_once(Studio& studio, const Plug& plug, const std::string& words) {
   studio.commands.end_drag();
 }
 
+// A path that was typed, whole; empty where there is none.
+std::string whole_path(Studio& studio, const std::string& typed) {
+  try {
+    return graph::expand_path(typed, studio.session().scene_folder());
+  } catch (const graph::GraphError&) {
+    return "";
+  }
+}
+
 // What an attribute of the row's node names, whole; empty where there is none.
 std::string file_of(Studio& studio, const AttributeRow& row, const std::string& attribute) {
   const graph::Node& node = *studio.session().graph().find(row.plug.node);
   const int index = node.schema->find(attribute);
   const std::string* typed = index < 0 ? nullptr : std::get_if<std::string>(&node.value(index));
-  if (!typed) return "";
-  try {
-    return graph::expand_path(*typed, studio.session().scene_folder());
-  } catch (const graph::GraphError&) {
-    return "";
-  }
+  return typed ? whole_path(studio, *typed) : "";
 }
 
 std::string short_unit(const std::string& unit) {
@@ -219,8 +224,23 @@ void AttributePanel::show_value(Studio& studio, const AttributeRow& row, float w
     const std::string path = file_of(studio, row, grid->file);
     if (const auto chosen = grid_field(studio, row.name, now, *grid, path, width, enabled))
       send_once(studio, row.plug, graph::quote(*chosen));
+  } else if (spec.type == AttributeType::path) {
+    const std::string now =
+        std::get<std::string>(graph.find(row.plug.node)->value(row.plug.attribute, row.plug.element));
+    const auto set = [&studio, plug = row.plug](const std::string& path) {
+      if (studio.session().graph().find(plug.node)) send_once(studio, plug, graph::quote(path));
+    };
+    if (const auto typed = path_field(studio,
+                                      {.name = row.name,
+                                       .typed = now,
+                                       .path = whole_path(studio, now),
+                                       .extensions = file_widget(spec.layout.widget),
+                                       .width = width,
+                                       .enabled = enabled},
+                                      set))
+      set(*typed);
   } else {
-    const bool text = spec.type == AttributeType::string || spec.type == AttributeType::path;
+    const bool text = spec.type == AttributeType::string;
     const graph::Value& value = graph.find(row.plug.node)->value(row.plug.attribute);
     const std::string* held = text ? std::get_if<std::string>(&value) : nullptr;
     if (const auto typed = text_field("##value", held ? *held : words_at(graph, row.plug), width, enabled))

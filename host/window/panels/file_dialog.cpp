@@ -45,9 +45,10 @@ FileDialog::FileDialog(std::function<void()> wake) : browser_(std::move(wake)), 
 
 void FileDialog::open(Studio& studio, FileQuestion question, std::function<void(const std::string&)> take) {
   const std::vector<std::string> recent = studio.files.recent.all();
-  const fs::path scene = question.folder;
+  const std::string& open_scene = studio.session().scene_path();
+  const fs::path scene = open_scene.empty() ? fs::path() : fs::path(open_scene).parent_path();
   fs::path& last = folders_[question.title];
-  if (!question.saves && !last.empty())
+  if (!question.saves && question.name.empty() && !last.empty())
     question.folder = last;
   else if (question.folder.empty() && last.empty() && !recent.empty())
     question.folder = fs::path(recent.front()).parent_path();

@@ -19,8 +19,8 @@ class FileDialog {
   /// wake: as of FileBrowser.
   explicit FileDialog(std::function<void()> wake);
 
-  /// question.folder: where it saves; where it opens, that only counts the first time. take: hears the path
-  /// that was chosen.
+  /// question.folder: where it saves, and where a file is named; else, where it opens, that only counts the
+  /// first time. take: hears the path that was chosen.
   void open(Studio& studio, FileQuestion question, std::function<void(const std::string&)> take);
   void show(Studio& studio);
 

@@ -56,6 +56,27 @@ class Browsing : public testing::Test {
   FileBrowser browser_{[] {}};
 };
 
+// As it is asked for an attribute that names a file already.
+TEST_F(Browsing, BeginsAtTheFileThatIsNamed) {
+  const auto chosen_of = [&](const std::string& name, std::vector<std::string> extensions) {
+    browser_.begin({.title = "Choose a file",
+                    .folder = folder_.path() / "sim",
+                    .name = name,
+                    .extensions = std::move(extensions)});
+    wait();
+    EXPECT_EQ(browser_.text(), "") << "letters would hide the others";
+    return chosen();
+  };
+  EXPECT_EQ(chosen_of("smoke.vdb", {".vdb"}), "smoke.vdb");
+  EXPECT_EQ(rows(), (Names{"deep", "ash.####.vdb", "smoke.vdb"}));
+  for (const char* spelled : {"ash.####.vdb", "ash.%04d.vdb", "ash.$F4.vdb"})
+    EXPECT_EQ(chosen_of(spelled, {".vdb"}), "ash.####.vdb") << spelled;
+  EXPECT_EQ(chosen_of("ash.##.vdb", {".vdb"}), "") << "other files";
+  EXPECT_EQ(chosen_of("gone.vdb", {".vdb"}), "");
+  EXPECT_EQ(chosen_of("", {}), "");
+  EXPECT_EQ(here(), "sim");
+}
+
 TEST_F(Browsing, KeysGoDownTheListIntoFoldersAndBack) {
   begin();
   EXPECT_EQ(rows(), (Names{"empty", "sim", "Shot two.plinian", "shot.plinian"}));

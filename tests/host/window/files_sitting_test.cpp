@@ -103,6 +103,34 @@ TEST_F(FilesSitting, ABookmarkLeadsToAVolumeWhoseGridsAreChosenFromAList) {
   sitting.wait_for("ran setAttr medium_file.grid \"density\"", before);
 }
 
+TEST_F(FilesSitting, AnAttributeThatNamesAFileIsChosenInTheBrowser) {
+  std::ofstream(folder_.path() / "shot.plinian");  // a scene is none of what is looked for
+  Sitting sitting({(shots_ / "ash.vdb").string()}, {1280, 700});
+  std::size_t before = sitting.now();
+  wait_for_rest(sitting, 0);
+  sitting.click(sitting.middle("node medium_file"));
+  sitting.wait_for(" still", sitting.wait_for("item \"medium_file.file browse\"", before));
+  sitting.click(sitting.middle("medium_file.file browse"));
+  sitting.wait_for("folder " + shots_.string() + " lists 4", before);
+  sitting.wait_for_keys("keys to a field");
+  sitting.wait_for(" still", sitting.now());
+  sitting.keep("files-of-an-attribute.png");
+  // The one that is read is chosen: the next is an arrow away.
+  before = sitting.now();
+  sitting.stroke("Down");
+  sitting.stroke("Return");
+  const std::string set = "ran setAttr medium_file.file ";
+  sitting.wait_for(set + "\"" + (shots_ / "explosion.vdb").string() + "\"", before);
+  wait_for_rest(sitting, before);
+  sitting.wait_for_keys("keys to the window");
+  sitting.keep("files-attribute-set.png");
+  before = sitting.now();
+  sitting.stroke("Control_L+z");
+  wait_for_rest(sitting, before);
+  command(sitting, "save undone.plinian");
+  EXPECT_NE(text_of(sitting.folder() / "undone.plinian").find("ash.vdb\""), std::string::npos);
+}
+
 TEST_F(FilesSitting, KeysAndThePasteAloneDoItAndNothingIsWrittenOverUnasked) {
   folder_.write("shots/shot.plinian", "somebody's work\n");
   Sitting sitting({"sphere"}, {1280, 700});
