@@ -246,6 +246,11 @@ bool Evaluator::is_dirty(const Plug& output) const {
   return !known || !known->clean;
 }
 
+ResultPtr Evaluator::known(const Plug& output) const {
+  const OutputState* known = state(output);
+  return known && known->clean ? known->result : nullptr;
+}
+
 ResultPtr Evaluator::last_good(const Plug& output) const {
   const OutputState* known = state(output);
   return known ? known->last_good : nullptr;

@@ -77,6 +77,9 @@ class Evaluator : private GraphObserver {
 
   /// Whether an output would have to be computed or found again.
   bool is_dirty(const Plug& output) const;
+  /// The result of an output as it is known, which may lack its value; null where it is dirty. Computes
+  /// nothing.
+  ResultPtr known(const Plug& output) const;
   /// The last result of an output that was no error, however old, or null: the last good picture.
   ResultPtr last_good(const Plug& output) const;
   /// "computed nothing", or "blocked by noise1.out: ...": the error as it reads at a plug; empty where there

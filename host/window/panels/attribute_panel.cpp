@@ -222,7 +222,8 @@ void AttributePanel::show_value(Studio& studio, const AttributeRow& row, float w
   } else if (const auto grid = grid_widget(spec.layout.widget); grid && spec.type == AttributeType::string) {
     const std::string now = std::get<std::string>(graph.find(row.plug.node)->value(row.plug.attribute));
     const std::string path = file_of(studio, row, grid->file);
-    if (const auto chosen = grid_field(studio, row.name, now, *grid, path, width, enabled))
+    const std::string by_name = grid_by_name(studio.session(), row.plug, *grid);
+    if (const auto chosen = grid_field(studio, row.name, now, by_name, *grid, path, width, enabled))
       send_once(studio, row.plug, graph::quote(*chosen));
   } else if (spec.type == AttributeType::path) {
     const std::string now =

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "host/nodes/read_facts.h"
 #include "host/window/files/file_list.h"
 #include "host/window/files/grid_lists.h"
 #include "host/window/panels/widgets.h"
@@ -27,9 +28,9 @@ std::string family(const std::string& name) {
   return name.ends_with(']') ? name.substr(0, name.rfind('[')) : name;
 }
 
-std::vector<Offer> offers_of(const GridList& list, const GridWidget& widget) {
+std::vector<Offer> offers_of(const GridList& list, const GridWidget& widget, const std::string& by_name) {
   std::vector<Offer> offers;
-  offers.push_back({"", "chosen by name", "", "", "", ""});
+  offers.push_back({"", by_name.empty() ? "chosen by name" : "chosen by name: " + by_name, "", "", "", ""});
   if (widget.or_none) offers.push_back({"none", "none", "", "", "", ""});
   for (const VdbGridInfo& grid : list.grids) {
     // What can be converted is a choice all the same: the reader says how.
@@ -96,19 +97,37 @@ std::optional<GridWidget> grid_widget(const std::string& widget) {
   return GridWidget{file, or_word == "or" && none == "none"};
 }
 
+std::string grid_by_name(graph::Session& session, const graph::Plug& attribute, const GridWidget& widget) {
+  const graph::Node& node = *session.graph().find(attribute.node);
+  const std::string* named = std::get_if<std::string>(&node.value(attribute.attribute, attribute.element));
+  const graph::AttributeIndex facts = node.schema->find("facts");
+  if (!named || !named->empty() || facts == graph::no_attribute ||
+      (*node.schema)[facts].spec.data_type != nodes::facts_type)
+    return "";
+  const graph::ResultPtr result = session.evaluator().known({node.id, facts});
+  const auto* data = result && result->has_value ? std::get_if<graph::DataPtr>(&result->value) : nullptr;
+  if (!data || !*data) return "";
+  const auto& read = *static_cast<const VdbFacts*>((*data)->object.get());
+  const std::vector<VdbGridInfo>& grids = widget.or_none ? read.temperature : read.density;
+  if (read.path.empty()) return "";
+  return grids.empty() ? "none" : grids.size() == 1 ? grids[0].name : family(grids[0].name) + "[*]";
+}
+
 std::optional<std::string> grid_field(Studio& studio, const std::string& name, const std::string& now,
-                                      const GridWidget& widget, const std::string& path, float width,
-                                      bool enabled) {
+                                      const std::string& by_name, const GridWidget& widget,
+                                      const std::string& path, float width, bool enabled) {
   const auto list = studio.grids.of(path);
   const bool offers = list && !list->grids.empty();
   const float arrow = offers ? ImGui::GetFrameHeight() : 0.0f;
-  std::optional<std::string> chosen =
-      text_field("##value", now, width - arrow, enabled, offers || path.empty() ? "chosen by name" : "");
+  const std::string hint = !by_name.empty()         ? "by name: " + by_name
+                           : offers || path.empty() ? "chosen by name"
+                                                    : "";
+  std::optional<std::string> chosen = text_field("##value", now, width - arrow, enabled, hint.c_str());
   if (!offers) return chosen;
   ImGui::SameLine(0.0f, 0.0f);
   ImGui::BeginDisabled(!enabled);
   if (ImGui::BeginCombo("##grids", "", ImGuiComboFlags_NoPreview | ImGuiComboFlags_PopupAlignLeft)) {
-    if (const auto picked = show_offers(studio, offers_of(*list, widget), now)) chosen = picked;
+    if (const auto picked = show_offers(studio, offers_of(*list, widget, by_name), now)) chosen = picked;
     ImGui::EndCombo();
   } else {
     note_item(studio.trace, name + " list");

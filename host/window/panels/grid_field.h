@@ -15,10 +15,14 @@ struct GridWidget {
 };
 std::optional<GridWidget> grid_widget(const std::string& widget);
 
-/// name: of the field, for the trace. path: the file, whole; empty where there is none. What was typed or
-/// chosen. Where the file cannot be listed it is a field of text alone.
+/// What a volumeRead has read where such an attribute of it is empty: "density", "none", "smoke[*]". Empty
+/// where that is not known, as where the attribute names one itself. Computes nothing.
+std::string grid_by_name(graph::Session& session, const graph::Plug& attribute, const GridWidget& widget);
+
+/// name: of the field, for the trace. by_name: as of grid_by_name. path: the file, whole; empty where there
+/// is none. What was typed or chosen. Where the file cannot be listed it is a field of text alone.
 std::optional<std::string> grid_field(Studio& studio, const std::string& name, const std::string& now,
-                                      const GridWidget& widget, const std::string& path, float width,
-                                      bool enabled);
+                                      const std::string& by_name, const GridWidget& widget,
+                                      const std::string& path, float width, bool enabled);
 
 }  // namespace plinian::window

@@ -84,6 +84,8 @@ TEST_F(FilesSitting, ABookmarkLeadsToAVolumeWhoseGridsAreChosenFromAList) {
   before = sitting.now();
   sitting.click(sitting.middle("medium_file.grid list"));
   sitting.item("grid density");
+  sitting.wait_for(" still", sitting.now());
+  sitting.keep("files-grids-by-name.png");
   const ivec2 other = sitting.middle("grid temperature");
   sitting.move(other);
   sitting.wait_for_mouse(other, 0);

@@ -88,5 +88,34 @@ TEST(GridField, IsAskedForByTheWidgetOfAnAttribute) {
     EXPECT_FALSE(grid_widget(other)) << other;
 }
 
+TEST(GridField, SaysWhatIsChosenByName) {
+  const TemporaryFolder folder;
+  scene::Workspace workspace;
+  graph::Session& session = workspace.session();
+  session.execute("createNode volumeRead -name file");
+  const auto said = [&](const char* attribute) {
+    const graph::Plug plug = session.graph().plug(std::string("file.").append(attribute));
+    return grid_by_name(
+        session, plug,
+        *grid_widget((*session.graph().get("file").schema)[plug.attribute].spec.layout.widget));
+  };
+  const auto read = [&](const std::string& name) {
+    session.execute("setAttr file.file " + graph::quote(folder / name));
+    EXPECT_EQ(said("grid"), "") << "nothing is read to find out";
+    session.evaluator().evaluate(session.graph().plug("file.volume"));
+  };
+  write_vdb(folder / "cold.vdb", ball(false), {.density_grid = "smoke"});
+  write_vdb(folder / "hot.vdb", ball(true), {});
+  read("cold.vdb");
+  EXPECT_EQ(said("grid"), "smoke");
+  EXPECT_EQ(said("temperature_grid"), "none");
+  read("hot.vdb");
+  EXPECT_EQ(said("grid"), "density");
+  EXPECT_EQ(said("temperature_grid"), "temperature");
+  session.execute("setAttr file.grid temperature");
+  session.evaluator().evaluate(session.graph().plug("file.volume"));
+  EXPECT_EQ(said("grid"), "") << "it is named";
+}
+
 }  // namespace
 }  // namespace plinian::window
