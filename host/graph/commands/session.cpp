@@ -39,6 +39,29 @@ void Session::warn(const std::string& line) const {
   if (on_warning) on_warning(line);
 }
 
+// Listeners hear of the outermost of what is done.
+class Session::Doing {
+ public:
+  Doing(Session& session, const std::string& what) : session_(session) {
+    if (session.running_.empty())
+      for (SessionListener* listener : std::vector<SessionListener*>(session.listeners_)) listener->begun();
+    session.running_.push_back(what);
+  }
+  Doing(const Doing&) = delete;
+  Doing& operator=(const Doing&) = delete;
+  ~Doing() {
+    session_.running_.pop_back();
+    if (!session_.running_.empty()) return;
+    for (SessionListener* listener : std::vector<SessionListener*>(session_.listeners_))
+      listener->ended(failed_);
+  }
+  void succeeded() { failed_ = false; }
+
+ private:
+  Session& session_;
+  bool failed_ = true;
+};
+
 CommandResult Session::execute(std::string_view line, const std::string& merge_key) {
   std::vector<Word> words = split_words(line);
   if (words.empty()) return {};
@@ -59,21 +82,8 @@ static void check_depth(const std::vector<std::string>& running, const std::stri
 
 CommandResult Session::execute(const CommandSpec& spec, const Arguments& arguments,
                                const std::string& merge_key) {
-  struct Depth {
-    Session& session;
-    bool failed = true;
-    ~Depth() {
-      session.running_.pop_back();
-      if (!session.running_.empty()) return;
-      for (SessionListener* listener : std::vector<SessionListener*>(session.listeners_))
-        listener->ended(failed);
-    }
-  };
   check_depth(running_, spec.name);
-  if (running_.empty())
-    for (SessionListener* listener : listeners_) listener->begun();
-  running_.push_back(spec.name);
-  Depth depth{*this};
+  Doing doing(*this, spec.name);
   if (spec.handles_history && running_.size() > 1)
     throw GraphError(spec.name + ": cannot be run by another command");
   const std::string call = write_call(spec, arguments);
@@ -85,7 +95,7 @@ CommandResult Session::execute(const CommandSpec& spec, const Arguments& argumen
     result = spec.run(*this, arguments);
   }
   if (running_.size() == 1 && on_echo) on_echo(call);
-  depth.failed = false;
+  doing.succeeded();
   return result;
 }
 
@@ -100,6 +110,23 @@ void Session::new_scene() {
   make_untitled();
   evaluator_.set_time(1.0);
   tell(SceneMoment::after_new);
+}
+
+bool Session::replace_scene(const std::string& name, const std::function<bool()>& make) {
+  Doing doing(*this, name);
+  tell(SceneMoment::before_new);
+  {
+    History::Scope scope(history_, name);
+    clear_graph(editor_);
+    time_node();
+    if (!make()) {
+      scope.roll_back();
+      return false;
+    }
+  }
+  tell(SceneMoment::after_new);
+  doing.succeeded();
+  return true;
 }
 
 void Session::make_untitled() {

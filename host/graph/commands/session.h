@@ -41,6 +41,7 @@ class Session {
   History& history() { return history_; }
   Editor& editor() { return editor_; }
   Evaluator& evaluator() { return evaluator_; }
+  const Evaluator& evaluator() const { return evaluator_; }
 
   /// Runs a line of a script: one command, or nothing but a comment. All its edits are one step of undo,
   /// called by the line; where it throws, what it did is taken back. merge_key: as in History::Scope.
@@ -68,6 +69,9 @@ class Session {
 
   /// An empty scene but for a time node; the old one cannot be had back.
   void new_scene();
+  /// What `make` makes in place of the scene, as one step of undo called `name`; listeners are told of a new
+  /// scene once it is there. Where it returns false or throws, everything is as it was. Returns what it did.
+  bool replace_scene(const std::string& name, const std::function<bool()>& make);
   /// What is there is a new scene from now on: of no file, with nothing to undo and nothing unsaved.
   void make_untitled();
   /// Throws GraphError and leaves the scene as it is where the file cannot be read.
@@ -90,6 +94,7 @@ class Session {
   NodeId time_node();
 
  private:
+  class Doing;
   void tell(SceneMoment moment, const std::string& path = "");
   void take_scene(const std::string& file, const std::string& scene_path, bool saved);
 

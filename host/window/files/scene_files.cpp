@@ -8,7 +8,6 @@
 #include "core/scene/resources.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/scene_loader.h"
-#include "host/graph/edits/clear.h"
 #include "host/graph/files/scene_writer.h"
 #include "host/scene/import_description.h"
 
@@ -111,29 +110,35 @@ void SceneFiles::begin_empty() {
 
 void SceneFiles::open(const std::string& path) {
   if (!is_scene(path) && !is_volume(path)) return add(path);
+  if (is_volume(path)) return begin_anew(path);
   unless_unsaved([=, this] {
+    if (!commands_.run_now("open -force " + graph::quote(path))) return;
     viewpoint_.history.clear();
-    if (is_volume(path)) {
-      if (replace_by(path)) session().make_untitled();
-      return;
-    }
     viewpoint_.look = {};
-    if (commands_.run_now("open -force " + graph::quote(path))) recent.add(path);
+    is_sample_ = false;
+    recent.add(path);
   });
 }
 
-// All that is there gives way, and comes back with one undo. A file that cannot be read changes nothing.
-bool SceneFiles::replace_by(const std::string& path) {
-  graph::History::Scope scope(session().history(), "import " + path);
-  graph::clear_graph(session().editor());
-  session().time_node();
-  if (!import_whole(path)) {
-    scope.roll_back();
-    return false;
-  }
+void SceneFiles::begin_anew(const std::string& input) {
+  unless_unsaved([=, this] {
+    if (!replace_by(input)) return;
+    viewpoint_.history.clear();
+    is_sample_ = !fs::path(input).has_extension();
+    session().make_untitled();
+  });
+}
+
+// All that is there gives way, and comes back with one undo.
+bool SceneFiles::replace_by(const std::string& input) {
+  const auto make = [&] {
+    if (!import_whole(input)) return false;
+    select_medium();
+    return true;
+  };
+  if (!session().replace_scene("import " + input, make)) return false;
   viewpoint_.look = {};
   is_sample_ = false;
-  select_medium();
   return true;
 }
 

@@ -29,6 +29,9 @@ class SceneFiles {
   void add(const std::string& path);
   /// What the program begins with: a scene, a volume or the name of a procedural medium.
   void begin_with(const std::string& input);
+  /// A volume or a procedural medium in a scene of its own in place of what is open; asks about unsaved
+  /// changes where there are any. What cannot be read changes nothing.
+  void begin_anew(const std::string& input);
   /// An empty scene in place of the one that is open.
   void begin_empty();
 
@@ -54,7 +57,7 @@ class SceneFiles {
  private:
   void keep_unsaved();
   bool import_whole(const std::string& input);
-  bool replace_by(const std::string& path);
+  bool replace_by(const std::string& input);
   void select_medium();
   graph::Session& session() { return workspace_.session(); }
 

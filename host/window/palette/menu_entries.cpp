@@ -19,13 +19,7 @@ std::vector<PaletteEntry> menu_entries() {
   };
   for (const char* kind : {"ash", "cloud", "sandstorm", "explosion"})
     add((std::string("begin with ") + kind).c_str(), "a procedural medium in place of the scene",
-        [kind](Studio& s) {
-          s.files.unless_unsaved([&s, kind] {
-            s.session().execute("newScene -force");
-            s.viewpoint.look = {};
-            s.files.begin_with(kind);
-          });
-        });
+        [kind](Studio& s) { s.files.begin_anew(kind); });
   add("look gallery", "the scene in every look beside the picture", [](Studio& s) { s.show_looks ^= true; });
   add("snapshots", "the strip of snapshots", [](Studio& s) { s.show_snapshots ^= true; });
   add("load a plate", "a picture behind what has an alpha", [](Studio& s) { s.ask_plate = true; });

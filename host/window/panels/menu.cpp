@@ -144,12 +144,7 @@ void show_menu(Studio& studio) {
     }
     if (ImGui::BeginMenu("Begin with")) {
       for (const char* kind : {"ash", "cloud", "sandstorm", "explosion"})
-        if (ImGui::MenuItem(kind))
-          studio.files.unless_unsaved([&studio, kind] {
-            studio.session().execute("newScene -force");
-            studio.viewpoint.look = {};
-            studio.files.begin_with(kind);
-          });
+        if (ImGui::MenuItem(kind)) studio.files.begin_anew(kind);
       ImGui::EndMenu();
     }
     ImGui::Separator();
