@@ -5,20 +5,11 @@
 #include <utility>
 
 #include "host/window/files/line_file.h"
+#include "host/window/files/typed_path.h"
 
 namespace plinian::window {
 
 namespace fs = std::filesystem;
-
-namespace {
-
-// "/a/b/" is "/a/b".
-fs::path tidy(const fs::path& folder) {
-  const fs::path path = folder.lexically_normal();
-  return path.has_filename() || path == path.root_path() ? path : path.parent_path();
-}
-
-}  // namespace
 
 Bookmarks::Bookmarks(fs::path file) : file_(std::move(file)) {
   refresh();
@@ -28,23 +19,23 @@ void Bookmarks::refresh() {
   if (file_.empty()) return;
   folders_.clear();
   for (const std::string& line : read_lines(file_))
-    if (line[0] == '/' && !has(line)) folders_.push_back(tidy(line));
+    if (line[0] == '/' && !has(line)) folders_.push_back(tidy_folder(line));
 }
 
 bool Bookmarks::has(const fs::path& folder) const {
-  return std::find(folders_.begin(), folders_.end(), tidy(folder)) != folders_.end();
+  return std::find(folders_.begin(), folders_.end(), tidy_folder(folder)) != folders_.end();
 }
 
 void Bookmarks::add(const fs::path& folder) {
   refresh();
   if (!folder.is_absolute() || folder.string().find('\n') != std::string::npos || has(folder)) return;
-  folders_.push_back(tidy(folder));
+  folders_.push_back(tidy_folder(folder));
   keep();
 }
 
 void Bookmarks::remove(const fs::path& folder) {
   refresh();
-  if (std::erase(folders_, tidy(folder)) > 0) keep();
+  if (std::erase(folders_, tidy_folder(folder)) > 0) keep();
 }
 
 void Bookmarks::keep() {

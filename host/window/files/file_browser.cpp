@@ -69,9 +69,7 @@ void FileBrowser::begin(FileQuestion question) {
 
 void FileBrowser::go_to(const fs::path& folder) {
   std::error_code error;
-  fs::path whole = fs::absolute(folder, error).lexically_normal();
-  if (!whole.has_filename() && whole != whole.root_path()) whole = whole.parent_path();
-  folder_ = whole;
+  folder_ = tidy_folder(fs::absolute(folder, error));
   problem_.clear();
   overwrites_.clear();
   chosen_.reset();

@@ -65,4 +65,9 @@ std::optional<fs::path> typed_path(const std::string& text, const fs::path& fold
   return whole.has_filename() || whole == whole.root_path() ? whole : whole.parent_path();
 }
 
+std::filesystem::path tidy_folder(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder.lexically_normal();
+  return path.has_filename() || path == path.root_path() ? path : path.parent_path();
+}
+
 }  // namespace plinian::window

@@ -104,5 +104,11 @@ TEST(TypedPath, IsTakenAsTerminalsShellsAndFileManagersGiveIt) {
   EXPECT_THROW(typed_path("$NOT_SET_ANYWHERE/b", "/here"), graph::GraphError);
 }
 
+TEST(TidyFolder, IsOneSpelling) {
+  for (const char* folder : {"/a/b", "/a/b/", "/a/./b", "/a/b/.", "/a/c/../b/"})
+    EXPECT_EQ(tidy_folder(folder), "/a/b") << folder;
+  for (const char* root : {"/", "/.", "/a/.."}) EXPECT_EQ(tidy_folder(root), "/") << root;
+}
+
 }  // namespace
 }  // namespace plinian::window
