@@ -1,10 +1,11 @@
-// Small pictures to be clicked.
+// Small pictures to be clicked, all of them seen at once.
 #include "host/window/panels/look_gallery.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "host/window/panels/overlay_text.h"
 #include "host/window/panels/snapshot_strip.h"
@@ -16,6 +17,21 @@ namespace plinian::window {
 void put_on(Studio& studio, const std::string& look) {
   if (const graph::Node* medium = scene::medium_for_looks(studio.session().graph()))
     studio.run("preset apply " + graph::quote(look) + " " + medium->name);
+}
+
+PictureGrid picture_grid(int count, vec2 room, float aspect, float under, float gap, float narrowest,
+                         float tallest) {
+  PictureGrid best;
+  for (int columns = 1; columns <= std::max(1, count); ++columns) {
+    const int rows = (std::max(1, count) + columns - 1) / columns;
+    const float width = (room.x - gap) / float(columns) - gap;
+    if (columns > 1 && width < narrowest) break;
+    const float height = std::min({room.y / float(rows) - under, width / aspect, tallest});
+    if (height > best.height) best = {columns, std::floor(height)};
+  }
+  constexpr float least = 16.0f;
+  best.height = std::max(best.height, least);
+  return best;
 }
 
 void LookGallery::show(Studio& studio, const PaneRect& pane) {
@@ -33,21 +49,27 @@ void LookGallery::show(Studio& studio, const PaneRect& pane) {
     asked_ = std::move(asks);
   }
   const auto pictures = studio.looks.pictures();
-  const float label = ImGui::GetTextLineHeight(), top = scaled(36);
-  const float room = pane.size.y - top - scaled(60) - snapshot_strip_height(studio);
+  const float label = ImGui::GetTextLineHeight();
+  // Beneath and over what is said in the picture's corners, where it is high enough for that.
+  const float top = std::min(scaled(36), 0.08f * pane.size.y),
+              under = std::min(scaled(60), 0.1f * pane.size.y);
+  const float room = pane.size.y - top - under - snapshot_strip_height(studio);
   // All of them are seen at once where there is any room for that.
-  const float others = label + scaled(12), head = label + scaled(24);
-  const float height = !pictures || pictures->empty()
-                           ? scaled(LookPictures::height)
-                           : std::clamp((room - head) / float(pictures->size()) - others, scaled(40),
-                                        scaled(LookPictures::height));
-  float widest = scaled(90);
+  const float others = label + scaled(14), head = label + scaled(24), gap = scaled(10);
+  const int count = pictures ? int(pictures->size()) : 0;
+  float aspect = 0.1f, narrowest = scaled(60);
   if (pictures)
-    for (const LookPicture& look : *pictures)
-      if (look.picture)
-        widest = std::max(widest, height * float(look.picture->width) / float(look.picture->height));
-  const float wanted = pictures ? float(pictures->size()) * (height + others) + head : scaled(70);
-  const float width = widest + scaled(22) + (wanted > room ? ImGui::GetStyle().ScrollbarSize : 0.0f);
+    for (const LookPicture& look : *pictures) {
+      if (look.picture) aspect = std::max(aspect, float(look.picture->width) / float(look.picture->height));
+      narrowest = std::max(narrowest, ImGui::CalcTextSize(look.look.c_str()).x);
+    }
+  const PictureGrid grid = picture_grid(count, {pane.size.x * 0.8f, room - head}, aspect, others, gap,
+                                        narrowest, scaled(LookPictures::height));
+  const float height = grid.height, column = std::max(height * aspect + scaled(4), narrowest);
+  const int rows = (count + grid.columns - 1) / grid.columns;
+  const float wanted = pictures ? float(rows) * (height + others) + head : scaled(70);
+  const float width = std::max(float(pictures ? grid.columns : 1) * (column + gap) + scaled(8), scaled(112)) +
+                      (wanted > room ? ImGui::GetStyle().ScrollbarSize : 0.0f);
   ImGui::SetNextWindowPos({pane.begin.x + pane.size.x - width - scaled(8), pane.begin.y + top});
   ImGui::SetNextWindowSize({width, std::min(room, wanted)});
   ImGui::SetNextWindowBgAlpha(0.75f);
@@ -57,7 +79,13 @@ void LookGallery::show(Studio& studio, const PaneRect& pane) {
   ImGui::TextDisabled("%s", !medium ? "no medium" : pictures ? "Looks" : "making pictures ...");
   if (medium && pictures) {
     const auto* worn = std::get_if<std::string>(&medium->value(medium->schema->find("look")));
+    const float left = ImGui::GetCursorPosX(), begin = ImGui::GetCursorPosY();
+    int place = 0;
     for (const LookPicture& look : *pictures) {
+      ImGui::SetCursorPos({left + float(place % grid.columns) * (column + gap),
+                           begin + float(place / grid.columns) * (height + others)});
+      ++place;
+      ImGui::BeginGroup();
       const bool is_worn = worn && *worn == look.look;
       ImGui::PushID(look.look.c_str());
       ImGui::PushStyleColor(ImGuiCol_Button, is_worn ? colour::accent : 0xff303030);
@@ -71,7 +99,7 @@ void LookGallery::show(Studio& studio, const PaneRect& pane) {
         texture->filter({wide, height});
         clicked = ImGui::ImageButton(ImTextureID(std::intptr_t(texture->name())), {wide, height});
       } else {
-        clicked = ImGui::Button(look.problem.empty() ? "..." : "no picture", {widest, height});
+        clicked = ImGui::Button(look.problem.empty() ? "..." : "no picture", {column - scaled(4), height});
       }
       ImGui::PopStyleVar();
       ImGui::PopStyleColor();
@@ -82,6 +110,7 @@ void LookGallery::show(Studio& studio, const PaneRect& pane) {
       ImGui::PushStyleColor(ImGuiCol_Text, is_worn ? colour::accent : colour::faint_text);
       ImGui::TextUnformatted(look.look.c_str());
       ImGui::PopStyleColor();
+      ImGui::EndGroup();
       ImGui::PopID();
       if (clicked) put_on(studio, look.look);
     }

@@ -1,4 +1,4 @@
-// The looks as a column of small pictures along the picture's right edge.
+// The looks as small pictures along the picture's right edge.
 #pragma once
 
 #include <map>
@@ -9,6 +9,17 @@
 #include "host/window/view/picture_texture.h"
 
 namespace plinian::window {
+
+/// How pictures that are to be seen at once stand in a room.
+struct PictureGrid {
+  int columns = 1;
+  float height = 0.0f;  // [points] of a picture
+};
+/// The columns that leave the pictures largest. room: [points]. aspect: width over height. under: [points]
+/// beneath each. gap: [points] between columns, and beside them. narrowest: [points] of a column. tallest:
+/// [points] that a picture may have; it has 16 at least, whether that fits or not.
+PictureGrid picture_grid(int count, vec2 room, float aspect, float under, float gap, float narrowest,
+                         float tallest);
 
 class LookGallery {
  public:

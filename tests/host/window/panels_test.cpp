@@ -13,6 +13,7 @@
 #include "host/window/fields/edit_lines.h"
 #include "host/window/navigation/key_light.h"
 #include "host/window/panels/layout.h"
+#include "host/window/panels/look_gallery.h"
 
 namespace plinian::window {
 namespace {
@@ -234,6 +235,23 @@ TEST(Layout, PanesAreRememberedAndNonsenseIsNot) {
   EXPECT_EQ(read_pane_sizes(text_of(sizes)).outliner, 0.5f);
   EXPECT_EQ(read_pane_sizes("left nan\nright 1e9\nwrong").left, PaneSizes().left);
   EXPECT_LE(read_pane_sizes("right 1e9").right, 1200.0f);
+}
+
+TEST(PictureGrid, ShowsAllAtOnceAsLargeAsTheRoomAllows) {
+  for (const vec2 room : {vec2(800, 700), vec2(300, 400), vec2(500, 120), vec2(240, 90), vec2(200, 200)})
+    for (const int count : {1, 4, 9})
+      for (const float aspect : {0.6f, 1.0f, 1.78f}) {
+        const PictureGrid grid = picture_grid(count, room, aspect, 27.0f, 10.0f, 50.0f, 96.0f);
+        ASSERT_GE(grid.columns, 1);
+        ASSERT_LE(grid.columns, count);
+        EXPECT_LE(grid.height, 96.0f);
+        if (grid.height <= 16.0f) continue;
+        const int rows = (count + grid.columns - 1) / grid.columns;
+        EXPECT_LE(float(rows) * (grid.height + 27.0f), room.y) << count << " in " << room.x << "x" << room.y;
+        EXPECT_LE(float(grid.columns) * (grid.height * aspect + 10.0f) + 10.0f, room.x);
+      }
+  EXPECT_EQ(picture_grid(4, {800, 700}, 1.0f, 27.0f, 10.0f, 50.0f, 96.0f).columns, 1) << "a column beside it";
+  EXPECT_EQ(picture_grid(4, {500, 130}, 1.0f, 27.0f, 10.0f, 50.0f, 96.0f).columns, 4);
 }
 
 }  // namespace

@@ -59,6 +59,24 @@ TEST_F(ShowSitting, TheGalleryPutsALookOnAndUndoTakesItOff) {
   EXPECT_GT(difference(), 60.0);
 }
 
+TEST_F(ShowSitting, TheGalleryFitsIntoALowWindow) {
+  Sitting& sitting = *sitting_;
+  const std::size_t before = sitting.now();
+  sitting.resize({1000, 480});
+  sitting.wait_for("item \"timeline\"", before);
+  take("look gallery", "menu look gallery");
+  sitting.item("look sandstorm");
+  sitting.wait_for(" still", sitting.wait_for("item \"look sandstorm\"", before));
+  sitting.keep("gallery-low.png");
+  const ivec4 timeline = sitting.item("timeline"), strip = sitting.item("show");
+  for (const char* name : {"look ash", "look cloud", "look explosion", "look sandstorm"}) {
+    const ivec4 place = sitting.item(name);
+    EXPECT_GE(place.y, strip.y + strip.w) << name;
+    EXPECT_LT(place.y + place.w, timeline.y) << name;
+    EXPECT_GE(place.w, 16) << name;
+  }
+}
+
 TEST_F(ShowSitting, APlayblastIsAskedForRunsBesideTheWindowAndLeavesItsFrames) {
   Sitting& sitting = *sitting_;
   command(sitting, "setAttr settings.width 64");
