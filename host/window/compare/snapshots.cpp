@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <utility>
 
 #include "core/scene/nearest_word.h"
 #include "host/graph/edits/clear.h"
@@ -14,6 +16,8 @@
 namespace plinian::window {
 
 namespace {
+
+constexpr int thumbnail_height = 72;  // [pixels]
 
 // What is open gives way to the scene of a snapshot; that is one edit, and undone as one.
 void restore(graph::Session& session, const Snapshot& snapshot) {
@@ -72,7 +76,7 @@ std::vector<std::string> Snapshots::keep(const ViewPicturePtr& picture, const De
     snapshot.name = fmt::format("{} ({})", name.empty() ? "snapshot" : name, i);
   snapshot.picture = picture;
   snapshot.scene = graph::write_scene(workspace_.session().graph());
-  if (shown) snapshot.thumbnail = thumbnail_of(*shown, 72);
+  if (shown) snapshot.thumbnail = thumbnail_of(*shown, thumbnail_height);
   snapshot.figures =
       fmt::format("{}, {}x{}, {} passes in {:.2f} s", picture->scene.quality.name, picture->frame.width,
                   picture->frame.height, picture->passes, picture->render_ms / 1000.0);
@@ -83,6 +87,27 @@ std::vector<std::string> Snapshots::keep(const ViewPicturePtr& picture, const De
     all_.pop_front();
   }
   return gone;
+}
+
+void Snapshots::make_thumbnail(const Development& how, std::function<void()> wake) {
+  const ViewPicturePtr picture = all_.back().picture;
+  const auto make = [picture, how, wake = std::move(wake)]() -> DevelopedPtr {
+    const DevelopedPtr developed = develop(picture, how);
+    const DevelopedPtr small = developed ? thumbnail_of(*developed, thumbnail_height) : nullptr;
+    wake();
+    return small;
+  };
+  making_.push_back({picture, std::async(std::launch::async, make)});
+}
+
+void Snapshots::update() {
+  std::erase_if(making_, [this](Making& making) {
+    if (making.thumbnail.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
+    const DevelopedPtr thumbnail = making.thumbnail.get();
+    for (Snapshot& snapshot : all_)
+      if (snapshot.picture == making.picture && !snapshot.thumbnail) snapshot.thumbnail = thumbnail;
+    return true;
+  });
 }
 
 const Snapshot* Snapshots::find(const std::string& name) const {

@@ -5,7 +5,10 @@
 #pragma once
 
 #include <deque>
+#include <functional>
+#include <future>
 #include <string>
+#include <vector>
 
 #include "host/scene/workspace.h"
 #include "host/window/view/developer.h"
@@ -16,7 +19,7 @@ struct Snapshot {
   std::string name;
   ViewPicturePtr picture;
   std::string scene;       // the text of its scene
-  DevelopedPtr thumbnail;  // as it was looked at
+  DevelopedPtr thumbnail;  // as it was looked at; null while it is made
   std::string figures;     // "high, 640x480, 6 passes in 1.2 s"
 };
 
@@ -28,10 +31,16 @@ class Snapshots {
   Snapshots(const Snapshots&) = delete;
   Snapshots& operator=(const Snapshots&) = delete;
 
-  /// Keeps what is shown. name: made unique; empty: "snapshot N". Returns the names of those that had to go
-  /// for it; the new one never does.
+  /// Keeps what is shown; where that is not the picture itself but what it is compared with, shown is null,
+  /// and make_thumbnail() follows. name: made unique; empty: "snapshot N". Returns the names of those that
+  /// had to go for it; the new one never does.
   std::vector<std::string> keep(const ViewPicturePtr& picture, const DevelopedPtr& shown,
                                 const std::string& name = "");
+  /// Develops the picture of the newest beside the caller, for its thumbnail. wake: called on another thread
+  /// when it is there; must not block.
+  void make_thumbnail(const Development& how, std::function<void()> wake);
+  /// Takes over thumbnails that are done. To be called once a turn.
+  void update();
   const std::deque<Snapshot>& all() const { return all_; }
   const Snapshot* find(const std::string& name) const;
   void forget(const std::string& name);
@@ -44,6 +53,11 @@ class Snapshots {
   scene::Workspace& workspace_;
   std::size_t budget_;
   std::deque<Snapshot> all_;  // oldest first
+  struct Making {
+    ViewPicturePtr picture;  // whose thumbnail it is
+    std::future<DevelopedPtr> thumbnail;
+  };
+  std::vector<Making> making_;
   int made_ = 0;
 };
 

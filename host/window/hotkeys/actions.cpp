@@ -1,20 +1,19 @@
 // A command, or a change of how the scene is looked at, for each action.
 #include "host/window/hotkeys/actions.h"
 
+#include "host/window/platform/desktop.h"
 #include "host/window/studio.h"
 
 namespace plinian::window {
 
 namespace {
 
-// What is kept of a picture to be found again: itself, whatever it is compared with just now.
-DevelopedPtr seen_alone(Studio& studio, const ViewPicturePtr& picture) {
-  if (studio.development.seen == Seen::picture) return studio.developer.developed();
-  Development how = studio.development;
+// A picture is found again by itself, whatever it is compared with just now.
+Development seen_alone(Development how) {
   how.seen = Seen::picture;
   how.against = nullptr;
   how.against_file = nullptr;
-  return develop(picture, how);
+  return how;
 }
 
 void keep_picture(Studio& studio) {
@@ -23,8 +22,12 @@ void keep_picture(Studio& studio) {
     studio.console.add(LineKind::note, "only a picture that is past its quick pass can be kept");
     return;
   }
-  for (const std::string& name : studio.snapshots.keep(picture, seen_alone(studio, picture)))
+  const bool is_seen = studio.development.seen == Seen::picture;
+  for (const std::string& name :
+       studio.snapshots.keep(picture, is_seen ? studio.developer.developed() : nullptr))
     studio.console.add(LineKind::note, name + " was let go: snapshots hold all the memory that they may");
+  if (!studio.snapshots.all().back().thumbnail)
+    studio.snapshots.make_thumbnail(seen_alone(studio.development), Desktop::wake);
   // What one is measuring against stays; a click on the snapshot compares with it.
   const OtherKind kind = studio.comparison.kind;
   if (kind == OtherKind::none || kind == OtherKind::snapshot)

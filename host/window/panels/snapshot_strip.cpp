@@ -27,6 +27,7 @@ float snapshot_strip_height(const Studio& studio) {
 }
 
 void SnapshotStrip::show(Studio& studio, const PaneRect& pane) {
+  studio.snapshots.update();
   const auto& all = studio.snapshots.all();
   std::erase_if(textures_, [&](const auto& entry) { return !studio.snapshots.find(entry.first); });
   const float strip = snapshot_strip_height(studio);

@@ -1,6 +1,7 @@
 // What pictures are compared with: from files, matched; on one side of a line; kept as snapshots.
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <fstream>
 #include <numbers>
@@ -161,6 +162,30 @@ ViewPicturePtr picture_of(int side) {
   auto picture = std::make_shared<ViewPicture>();
   picture->frame = frame_of(side, 1.0f, vec3(0.0f));
   return picture;
+}
+
+// As where a difference is looked at, which is no picture to be found again by.
+TEST(Snapshots, HaveTheirThumbnailMadeBesideTheInterface) {
+  scene::TestWorkspace w;
+  Snapshots snapshots(w);
+  snapshots.keep(picture_of(4), nullptr);
+  EXPECT_FALSE(snapshots.all().back().thumbnail);
+  std::atomic<bool> woken{false};
+  std::thread::id maker;
+  snapshots.make_thumbnail({}, [&] {
+    maker = std::this_thread::get_id();
+    woken = true;
+  });
+  snapshots.keep(picture_of(4), nullptr);  // another one is the newest meanwhile
+  for (int i = 0; i < 5000 && !snapshots.all().front().thumbnail; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    snapshots.update();
+  }
+  EXPECT_TRUE(woken);
+  EXPECT_NE(maker, std::this_thread::get_id());
+  ASSERT_TRUE(snapshots.all().front().thumbnail);
+  EXPECT_EQ(snapshots.all().front().thumbnail->bytes, develop(snapshots.all().front().picture, {})->bytes);
+  EXPECT_FALSE(snapshots.all().back().thumbnail);
 }
 
 TEST(Snapshots, RestoreTheSceneInOneStepOfUndo) {
