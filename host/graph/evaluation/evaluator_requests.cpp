@@ -111,8 +111,10 @@ void Evaluator::end(const RequestPtr& request) {
   std::erase(in_flight_, request);
   for (const auto& [plug, result] : request->computed) {
     const OutputState* output = state(plug);
-    if (output && !output->clean && output->dirtied_at <= request->moment)
-      accept(plug, result, request->warnings);
+    if (!output || output->dirtied_at > request->moment) continue;
+    // Also one that was known, but whose value had left the cache: it may not come back.
+    const bool is_known = output->clean && (output->result->has_value || output->result->error);
+    if (!is_known) accept(plug, result, request->warnings);
   }
   for (const Plug& plug : request->covered)
     if (plug.node.value < state_ranges_.size())

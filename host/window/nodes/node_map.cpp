@@ -75,21 +75,4 @@ void NodeMap::lay_out_anew() {
   generation_ = ~std::uint64_t(0);
 }
 
-std::optional<NodeMap::Failure> NodeMap::failure_of(graph::NodeId id) {
-  const graph::Node* node = session_.graph().find(id);
-  if (!node) return std::nullopt;
-  std::optional<Failure> blocked;
-  for (const graph::AttributeIndex output : node->schema->outputs())
-    for (const std::int32_t element : node->elements(output)) {
-      const graph::Plug plug{id, output, element};
-      if (session_.evaluator().is_dirty(plug)) continue;
-      const graph::ResultPtr result = session_.evaluator().evaluate(plug);
-      if (!result || !result->error) continue;
-      Failure failure{session_.evaluator().error_text(plug, *result), result->error->origin.node != id};
-      if (!failure.blocked) return failure;
-      blocked = std::move(failure);
-    }
-  return blocked;
-}
-
 }  // namespace plinian::window

@@ -32,13 +32,6 @@ class NodeMap : private graph::SessionListener {
   /// Counts scenes: another one calls for another look.
   std::uint64_t scenes() const { return scenes_; }
 
-  struct Failure {
-    std::string message;   // one line
-    bool blocked = false;  // by another node's failure
-  };
-  /// Of the last computation of any output of a node; computes nothing.
-  std::optional<Failure> failure_of(graph::NodeId node);
-
  private:
   void passed(graph::SceneMoment moment, const std::string& path) override;
   void begun() override {}

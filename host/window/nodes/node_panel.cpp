@@ -10,6 +10,7 @@
 #include "core/scene/resources.h"
 #include "host/window/nodes/diagram_painter.h"
 #include "host/window/nodes/node_colours.h"
+#include "host/window/nodes/node_failure.h"
 #include "host/window/panels/bottom_tabs.h"
 #include "host/window/panels/overlay_text.h"
 #include "host/window/panels/widgets.h"
@@ -236,7 +237,7 @@ void NodePanel::draw(Studio& studio) {
   list.PushClipRect(to_im(corner_), to_im(corner_ + size_), true);
   DiagramLook look{corner_, size_, view_, selected_, hot_, nullptr, nullptr};
   look.failure = [&](graph::NodeId id) {
-    const auto failure = map_.failure_of(id);
+    const auto failure = failure_of(studio.session(), id);
     return !failure ? 0 : failure->blocked ? 1 : 2;
   };
   if (wire_)
@@ -290,7 +291,7 @@ void NodePanel::show_help(Studio& studio) {
     }
   } else if (wire_) {
     return;
-  } else if (const auto failure = map_.failure_of(box.id)) {
+  } else if (const auto failure = failure_of(studio.session(), box.id)) {
     text = box.name + ": " + failure->message;
     ink = failure->blocked ? colour::warning : colour::error;
   } else {

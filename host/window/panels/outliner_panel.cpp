@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdio>
 
 #include "host/graph/model/conversion.h"
 #include "host/graph/model/hierarchy.h"
 #include "host/window/nodes/node_colours.h"
+#include "host/window/nodes/node_failure.h"
 #include "host/window/platform/theme.h"
 
 namespace plinian::window {
@@ -20,6 +22,20 @@ bool contains_word(std::string text, std::string word) {
   for (std::string* s : {&text, &word})
     for (char& c : *s) c = char(std::tolower((unsigned char)c));
   return text.find(word) != text.npos;
+}
+
+// At the right edge of the last widget, a row.
+void show_badge(Studio& studio, const graph::Node& node, const NodeFailure& failure) {
+  const ImVec2 begin = ImGui::GetItemRectMin(), end = ImGui::GetItemRectMax();
+  const ImVec2 middle(
+      std::round(std::min(end.x, ImGui::GetWindowDrawList()->GetClipRectMax().x) - scaled(12)),
+      std::round((begin.y + end.y) / 2));
+  const float radius = scaled(7);
+  const ImVec2 size = ImGui::CalcTextSize("!");
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddCircleFilled(middle, radius, failure.blocked ? colour::warning : colour::error, 20);
+  list.AddText({std::round(middle.x - size.x / 2), std::round(middle.y - size.y / 2)}, 0xff1a1a1a, "!");
+  studio.trace.item("failed " + node.name, vec2(middle.x, middle.y) - radius, vec2(2.0f * radius));
 }
 
 }  // namespace
@@ -59,7 +75,9 @@ void OutlinerPanel::show_node(Studio& studio, const graph::Node& node, bool tree
       focus_ = true;
       std::snprintf(name_, sizeof name_, "%s", node.name.c_str());
     }
-    help(node.type->name() + ": " + node.type->spec().help);
+    const std::optional<NodeFailure> failure = failure_of(studio.session(), node.id);
+    help(failure ? failure->message : node.type->name() + ": " + node.type->spec().help);
+    if (failure) show_badge(studio, node, *failure);
     ImGui::SameLine(0.0f, 0.0f);
     ImGui::SetCursorScreenPos({at.x + scaled(20), at.y});
     ImDrawList* list = ImGui::GetWindowDrawList();

@@ -110,5 +110,21 @@ TEST_F(NodesSitting, TakeThePlaceOfTheConsoleAndLeaveThePictureAsItIs) {
     EXPECT_EQ(sitting_->line(i).find(" picture "), std::string::npos) << sitting_->line(i);
 }
 
+TEST_F(NodesSitting, WhatFailsIsMarkedAndSoIsWhatItBlocks) {
+  type("createNode volumeRead -name gone");
+  type("setAttr gone.file \"/nowhere/gone.vdb\"");
+  type("getAttr gone.file");
+  type("connectAttr gone.volume medium_shape.volume -force");
+  const ivec4 mark = sitting_->item("failed gone"), row = sitting_->item("node gone");
+  EXPECT_GE(mark.y, row.y);
+  EXPECT_LE(mark.y + mark.w, row.y + row.w);
+  sitting_->item("failed medium_shape");
+  sitting_->click(sitting_->middle("tab nodes"));
+  sitting_->wait_for("item \"box gone\"");
+  sitting_->move(sitting_->middle("node gone"));
+  sitting_->wait_for_mouse(sitting_->middle("node gone"), 0);
+  keep("nodes-failed.png");
+}
+
 }  // namespace
 }  // namespace plinian

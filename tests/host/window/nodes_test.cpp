@@ -10,6 +10,7 @@
 #include "host/window/nodes/connect_drag.h"
 #include "host/window/nodes/diagram_hit.h"
 #include "host/window/nodes/layered_layout.h"
+#include "host/window/nodes/node_failure.h"
 #include "host/window/nodes/node_map.h"
 #include "tests/core/scene/temporary_folder.h"
 
@@ -304,15 +305,13 @@ TEST_F(NodeEditor, AFailureIsToldOfTheNodeThatFailedAndOfThoseThatItBlocks) {
   session().execute("createNode volumeRead -name file");
   session().execute("setAttr file.file \"/nowhere/smoke.vdb\"");
   session().execute("connectAttr file.volume shape.volume -force");
-  NodeMap map(session(), {});
-  map.update();
-  EXPECT_FALSE(map.failure_of(graph().get("file").id)) << "nothing is computed to find out";
+  EXPECT_FALSE(failure_of(session(), graph().get("file").id)) << "nothing is computed to find out";
   session().evaluator().evaluate(graph().plug("file.volume"));
-  const auto failure = map.failure_of(graph().get("file").id);
+  const auto failure = failure_of(session(), graph().get("file").id);
   ASSERT_TRUE(failure);
   EXPECT_FALSE(failure->blocked);
   EXPECT_NE(failure->message.find("smoke.vdb"), std::string::npos) << failure->message;
-  EXPECT_FALSE(map.failure_of(graph().get("noise").id));
+  EXPECT_FALSE(failure_of(session(), graph().get("noise").id));
 }
 
 }  // namespace

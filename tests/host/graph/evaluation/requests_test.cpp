@@ -57,6 +57,43 @@ TEST(Requests, AnEditElsewhereLeavesThemAlone) {
   EXPECT_FALSE(cancelled);
 }
 
+// What left the cache is computed again when somebody needs it, and may fail by then.
+TEST(Requests, AValueThatDoesNotComeBackIsAFailureOfItsNode) {
+  EvaluationScene s;
+  std::atomic<bool> gone{false};
+  s.registry.add(
+      {.name = "file",
+       .attributes = {{.name = "frame", .affects = {"out"}},
+                      {.name = "out", .type = AttributeType::data, .data_type = "blob", .output = true}},
+       .compute = [&](ComputeContext& context, AttributeIndex output) {
+         if (gone) throw std::runtime_error("the file is gone");
+         context.set_output(output, std::make_shared<const Data>(Data{"blob", nullptr, 1000, 0}));
+       }});
+  s.create("file", "f");
+  s.create("size", "n");
+  s.connect("f.out", "n.in");
+  for (const double frame : {1.0, 2.0}) {
+    s.set("f.frame", frame);
+    s.get("n.out");
+  }
+  s.evaluator.cache().set_budget(0);
+  s.set("f.frame", 1.0);
+  s.get("n.out");  // is remembered, what it was made of is not
+  const ResultPtr known = s.evaluator.known(s.plug("f.out"));
+  ASSERT_TRUE(known);
+  ASSERT_FALSE(known->has_value);
+  ASSERT_FALSE(known->error);
+  gone = true;
+  s.set("n.scale", 3.0);
+  EXPECT_FALSE(s.evaluator.known(s.plug("n.out"))) << "dirty";
+  s.evaluator.request({s.plug("n.out")}, [](const Outcome&) {});
+  s.evaluator.finish();
+  const ResultPtr failed = s.evaluator.known(s.plug("f.out"));
+  ASSERT_TRUE(failed && failed->error);
+  EXPECT_EQ(s.evaluator.error_text(s.plug("f.out"), *failed), "the file is gone");
+  EXPECT_EQ(s.evaluator.take_reports().size(), 1u);
+}
+
 TEST(Requests, DeletingWhatTheyComputeCancelsThem) {
   EvaluationScene s;
   const NodeId w = s.create("wait", "w");
