@@ -28,10 +28,11 @@ class Painter {
       : list_(list), graph_(graph), diagram_(diagram), look_(look), zoom_(look.view.zoom) {}
 
   void run() {
-    // Words smaller than this cannot be read.
-    constexpr float least_text = 7.5f;
-    text_size_ = 13.0f * zoom_;
-    shows_rows_ = text_size_ >= scaled(least_text);
+    // Smaller than this, rows are of no use.
+    constexpr float least_text = 7.5f, size = 13.0f;
+    shows_rows_ = size * zoom_ >= scaled(least_text);
+    // Words stay readable as long as their rows have the height for it.
+    text_size_ = std::max(size * zoom_, std::min(scaled(11), row_height * zoom_));
     for (const Lineage& lineage : diagram_.lineages) draw_lineage(lineage);
     for (const Wire& wire : diagram_.wires) draw(wire);
     for (std::size_t b = 0; b < diagram_.boxes.size(); ++b)
@@ -103,7 +104,6 @@ class Painter {
     for (std::size_t r = 0; r < box.rows.size(); ++r) draw_row(b, r);
   }
 
-  // The name stays readable as long as its box has the height for it.
   void draw_header(const NodeBox& box, vec2 begin) {
     const float height = header_height * zoom_;
     const float size = std::max(text_size_, std::min(scaled(11), height));

@@ -18,7 +18,7 @@ namespace {
 // Frames between numbers on the ruler, so that they stay apart.
 double spacing(double frames, double points) {
   for (const double step : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 5000.0})
-    if (points / frames * step >= 44.0) return step;
+    if (points / frames * step >= scaled(44)) return step;
   return 10000.0;
 }
 
@@ -170,7 +170,7 @@ void TimelinePanel::show(Studio& studio, const PaneRect& pane) {
                         colour::changed);
   }
   const float x = std::round(place(now));
-  list->AddRectFilled({x - 1.0f, begin.y}, {x + 1.0f, end.y}, colour::accent);
+  list->AddRectFilled({x - scaled(1), begin.y}, {x + scaled(1), end.y}, colour::accent);
   ImGui::PopFont();
   end_pane();
 }

@@ -82,8 +82,14 @@ void show_reference_layers(Studio& studio) {
 
 void show_what_is_drawn(Studio& studio) {
   if (ImGui::Button("show")) ImGui::OpenPopup("##show");
+  // The button stays to be seen.
+  const float widest = scaled(220);  // of the list
+  const ImVec2 beneath(
+      std::max(0.0f, std::min(ImGui::GetItemRectMin().x, ImGui::GetMainViewport()->Size.x - widest)),
+      ImGui::GetItemRectMax().y + scaled(3));
   note_item(studio.trace, "show");
   help("What is drawn over the picture. Nothing of it is in a picture that is written.");
+  ImGui::SetNextWindowPos(beneath, ImGuiCond_Appearing);
   if (!ImGui::BeginPopup("##show")) return;
   OverlayChoice& overlay = studio.overlay;
   const std::pair<const char*, bool*> rows[] = {
