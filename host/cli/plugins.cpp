@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "host/cli/command.h"
 #include "host/cli/console.h"
@@ -70,7 +71,7 @@ std::vector<Found> plugins_of(const sdk::PluginManager& plugins) {
       all.push_back(std::move(found));
     }
   }
-  std::ranges::stable_sort(all, {}, &Found::name);
+  std::ranges::sort(all, {}, [](const Found& found) { return std::tie(found.name, found.path); });
   return all;
 }
 

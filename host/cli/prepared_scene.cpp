@@ -140,8 +140,11 @@ graph::Plug plug_of(const graph::Graph& graph, const SceneEdit& edit) {
           edit.where +
           ": the scene has no settings: --size sets the size, and a script with createNode "
           "renderSettings -name settings and save gives it some");
+    std::string meant = did_you_mean(node, names);
+    for (const std::string& name : names)
+      if (meant.empty() && name.ends_with(":" + node)) meant = " (did you mean '" + name + "'?)";
     throw std::runtime_error(fmt::format("{}: nothing is called '{}'{}; there are: map, view, {}", edit.where,
-                                         node, did_you_mean(node, names), join(by_namespace(names))));
+                                         node, meant, join(by_namespace(names))));
   }
   try {
     return graph.plug(edit.key);

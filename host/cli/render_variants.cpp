@@ -143,8 +143,9 @@ int run_variants(const RenderArguments& arguments) {
       variations.size() > 1 ? int(variations.back().values.size()) : int(std::min<std::size_t>(count, 6));
   const SheetPicture sheet = contact_sheet(pictures, columns);
   write_file(arguments.sheet, encode_png(sheet.rgb, sheet.width, sheet.height));
-  note(fmt::format("{}: {} pictures, {}x{}", arguments.sheet, count - failed.size(), sheet.width,
-                   sheet.height));
+  const std::size_t drawn = count - failed.size();
+  note(fmt::format("{}: {} {}, {}x{}", arguments.sheet, drawn, drawn == 1 ? "picture" : "pictures",
+                   sheet.width, sheet.height));
   if (arguments.json)
     print(nlohmann::ordered_json{
               {"input", arguments.scene.input}, {"sheet", arguments.sheet}, {"variants", report}}

@@ -64,7 +64,8 @@ int run_sheet(const SheetArguments& arguments) {
   }
   const SheetPicture sheet = contact_sheet(pictures, columns);
   write_file(arguments.output, encode_png(sheet.rgb, sheet.width, sheet.height));
-  note(fmt::format("{}: {} pictures, {}x{}", arguments.output, pictures.size(), sheet.width, sheet.height));
+  note(fmt::format("{}: {} {}, {}x{}", arguments.output, pictures.size(),
+                   pictures.size() == 1 ? "picture" : "pictures", sheet.width, sheet.height));
   return exit_success;
 }
 

@@ -435,6 +435,15 @@ TEST_F(Program, ASceneSaysWhatAnOptionForAVolumeMeantAndWhatHasNoSettings) {
       std::string::npos);
 }
 
+TEST_F(Program, ANamespaceIsNamedOnceForAllThatIsInIt) {
+  folder_.write("s.pln", "import ash -resolution 16 -setup -namespace seq\nsave s\n");
+  ASSERT_EQ(run({"run", "s.pln"}).code, 0);
+  EXPECT_EQ(
+      run({"render", "s.plinian", "--set", "medium.g=0"}).err,
+      "plinian: error: --set medium.g: nothing is called 'medium' (did you mean 'seq:medium'?); there are: "
+      "map, view, time1, settings, seq:*\n");
+}
+
 TEST_F(Program, AScaleOfNothingIsWhyNothingIsSeen) {
   const Ended ended = render({"sphere", "--set", "medium_place.scale=0 0 0", "-o", "a.png"});
   EXPECT_NE(ended.err.find("is scaled by 0: set the scale of what it is under"), std::string::npos)
@@ -442,7 +451,7 @@ TEST_F(Program, AScaleOfNothingIsWhyNothingIsSeen) {
 }
 
 TEST_F(Program, AFocalLengthOfNothingIsHeldWhereItCanBeDrawn) {
-  const Ended ended = render({"sphere", "--resolution", "16", "--save-scene", "s.plinian", "-o", "a.png"});
+  render({"sphere", "--save-scene", "s.plinian", "-o", "a.png"});
   const Ended held = run({"render", "s.plinian", "--set", "camera.focal_length=0", "-o", "b.png",
                           "--renderer", "cpu", "--size", "8x8", "--passes", "1"});
   EXPECT_EQ(held.code, 0) << held.err;
