@@ -159,7 +159,13 @@ class Reader {
     };
     const std::string key = options.grid + '\n' + options.temperature_grid + '\n' +
                             std::to_string(int(options.level_set)) + std::to_string(int(options.frustum));
-    const VolumeStore::Read read = store_.read(path, options, key);
+    const VolumeStore::Read read = [&] {
+      try {
+        return store_.read(path, options, key);
+      } catch (const VdbError& error) {
+        throw VdbError(advice_for_node(error.what()));
+      }
+    }();
     Shown shown;
     // Whoever holds the voxels holds the file's entry in the store with them.
     shown.volume = {read.file, read.file->volume.get()};

@@ -282,7 +282,7 @@ class Importer {
     if (!finished) throw SceneLoadCancelled();
     const graph::ResultPtr result = session_.evaluator().evaluate(plug);
     session_.evaluator().take_reports();
-    if (result->error) throw std::runtime_error(result->error->message);
+    if (result->error) throw std::runtime_error(nodes::advice_for_command_line(result->error->message));
     return result->value;
   }
 

@@ -121,6 +121,13 @@ TEST_F(Sequence, GoingBackReadsNothingAgain) {
   EXPECT_EQ(s.computes("volumeRead"), 3u) << "equal values run nothing";
 }
 
+TEST_F(Sequence, WhatIsAdvisedIsAnAttributeOfTheNode) {
+  s.run("setAttr r.file " + folder / "s.0001.vdb" + "\nsetAttr r.time_limit 0.000001");
+  const std::string why = s.refusal("evaluate r.volume");
+  EXPECT_NE(why.find("attribute time_limit"), std::string::npos) << why;
+  EXPECT_EQ(why.find("--"), std::string::npos) << why;
+}
+
 TEST_F(Sequence, WithoutAnyFileItSaysSo) {
   s.run("setAttr r.file " + folder / "other.#.vdb");
   EXPECT_EQ(s.refusal("evaluate r.volume"),
