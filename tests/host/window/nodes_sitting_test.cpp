@@ -95,6 +95,7 @@ TEST_F(NodesSitting, AWireConnectsIsTakenBackAndIsTakenOff) {
 
 // What is compared stays compared.
 TEST_F(NodesSitting, TakeThePlaceOfTheConsoleAndLeaveThePictureAsItIs) {
+  wait_for_rest(*sitting_, 0);
   const ivec4 picture = sitting_->item("picture");
   const std::size_t before = sitting_->now();
   sitting_->move({5, 5});
