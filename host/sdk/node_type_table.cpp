@@ -30,11 +30,12 @@ AttributeSpec attribute_from(const PlinianAttribute& from) {
   spec.layout.group = text_of(from.group);
   spec.layout.widget = text_of(from.widget);
   const std::string& widget = spec.layout.widget;
-  const std::vector<std::string> widgets = {"slider", "factor", "look"};
-  if (!widget.empty() && !widget.starts_with("grid of ") && !std::ranges::count(widgets, widget))
+  const std::vector<std::string> widgets = {"slider", "factor", "look", "file"};
+  if (!widget.empty() && !widget.starts_with("grid of ") && !widget.starts_with("file ") &&
+      !std::ranges::count(widgets, widget))
     throw GraphError("attribute '" + spec.name + "': there is no widget " + graph::shown(widget) +
                      did_you_mean(widget, widgets) + "; there are: " + join(widgets) +
-                     ", grid of NAME, grid of NAME or none");
+                     ", file .EXTENSION ..., grid of NAME, grid of NAME or none");
   const std::string shown_when = text_of(from.shown_when);
   const std::size_t equals = shown_when.find('=');
   spec.layout.shown_when = shown_when.substr(0, equals);

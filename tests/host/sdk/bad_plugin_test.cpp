@@ -170,7 +170,8 @@ TEST(BadPlugin, AWidgetThatThereIsNotIsToldWhenItIsRegistered) {
   EXPECT_EQ(
       s.refusal("loadPlugin bad_widget"), PLINIAN_TEST_PLUGINS
       "/bad_widget.so: failed to initialise: attribute 'size': there is no widget 'sliderr' (did you mean "
-      "'slider'?); there are: slider, factor, look, grid of NAME, grid of NAME or none");
+      "'slider'?); there are: slider, factor, look, file, file .EXTENSION ..., grid of NAME, grid of NAME or "
+      "none");
 }
 
 // It used to end the program with the stack.
