@@ -141,6 +141,7 @@ MainWindow::MainWindow(const std::string& title, ivec2 size) : events_(std::make
   ImGui_ImplGlfw_InitForOpenGL(window, false);
   ImGui_ImplOpenGL3_Init("#version 330 core");
   set_theme(scale_);
+  ImGui_ImplOpenGL3_CreateDeviceObjects();  // now: whoever sees the window must not wait for them
 }
 
 MainWindow::~MainWindow() {

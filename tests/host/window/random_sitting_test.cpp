@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <random>
 #include <sstream>
 #include <thread>
@@ -43,19 +44,25 @@ class RandomHand {
       const Clock::time_point asked = Clock::now();
       Clock::time_point quiet_since = asked;
       std::ptrdiff_t made = 0;
-      while (Clock::now() - asked < std::chrono::seconds(10)) {
+      double lowest = std::numeric_limits<double>::infinity();
+      bool has_run = false;
+      while (Clock::now() - asked < std::chrono::seconds(has_run ? 60 : 10)) {
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
         const std::vector<std::string>& lines = sitting_.lines();
         const auto ran =
             std::find_if(lines.begin() + std::ptrdiff_t(then), lines.end(),
                          [](const auto& line) { return line.find("ran cache -clear") != line.npos; });
-        if (ran == lines.end()) continue;
+        has_run = ran != lines.end();
+        if (!has_run) continue;
         // Two pictures that take turns never stand still; nothing is made for them.
         const auto pictures = std::count_if(
             ran, lines.end(), [](const auto& line) { return line.find(" picture ") != line.npos; });
         if (std::exchange(made, pictures) != pictures) quiet_since = Clock::now();
-        // What was kept for the next picture is given back where none follows.
-        if (Clock::now() - quiet_since > std::chrono::seconds(4)) return sitting_.memory();
+        // What was kept for the next picture is given back where none follows: by everybody who renders.
+        const double now = sitting_.memory();
+        if (now < lowest - 1.0) quiet_since = Clock::now();
+        lowest = std::min(lowest, now);
+        if (Clock::now() - quiet_since > std::chrono::seconds(6)) return lowest;
       }
     }
     sitting_.keep("random-not-emptied.png");
