@@ -14,6 +14,7 @@
 #include "host/graph/graph_error.h"
 #include "host/graph/values/hash.h"
 #include "host/scene/placed.h"
+#include "host/scene/preset_writer.h"
 #include "host/scene/snapshot.h"
 
 namespace plinian::scene {
@@ -120,21 +121,15 @@ Look load_look(const std::string& name_or_path) {
 
 void apply_look(graph::Session& session, const std::string& name, const Look& look) {
   const graph::Node& node = medium_node(session, name);
-  const auto write = [&](const std::string& attribute, const std::string& words) {
-    const graph::Plug plug = graph::Graph::plug(node, attribute);
-    if (!session.editor().set_problem(plug).empty()) return;  // driven by something else, or locked
-    if (words.empty())
-      session.execute("resetAttr " + node.name + "." + attribute);
-    else
-      session.execute("setAttr " + node.name + "." + attribute + " " + words);
-  };
+  PresetWriter writer(session, node);
   for (const std::string& key : keys) {
     const bool given = parameter(key).get(look.medium).has_value();
-    if (given || key != "density_scale") write(key, given ? words_of(key, look.medium) : "");
+    if (given || key != "density_scale") writer.write(key, given ? words_of(key, look.medium) : "");
   }
-  write("coefficients", look.medium.sigma_s || look.medium.sigma_a ? "sigma" : "albedo_extinction");
-  write("look", graph::quote(look.name));
-  write("look_hash", graph::quote(look.hash));
+  writer.write("coefficients", look.medium.sigma_s || look.medium.sigma_a ? "sigma" : "albedo_extinction");
+  writer.write("look", graph::quote(look.name));
+  writer.write("look_hash", graph::quote(look.hash));
+  writer.tell_left();
 }
 
 const graph::Node* medium_for_looks(const graph::Graph& graph) {

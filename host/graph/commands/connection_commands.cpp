@@ -1,7 +1,9 @@
 // connectAttr, disconnectAttr, listConnections.
 #include <algorithm>
+#include <set>
 
 #include "host/graph/commands/session.h"
+#include "host/graph/edits/kept_connections.h"
 #include "host/graph/graph_error.h"
 
 namespace plinian::graph {
@@ -76,6 +78,20 @@ CommandResult list_connections(Session& session, const Arguments& arguments) {
       if (wanted(destination))
         lines.push_back(graph.name_of(input.source) + " -> " + graph.name_of(destination));
     }
+  const auto kept = [&](const Node& end, const KeptLine& line) {
+    lines.push_back(kept_source_name(graph, line) + " -> " + end.name + "." + line.path);
+  };
+  if (both || arguments.has("source")) {
+    std::set<std::size_t> places;
+    for (const Plug& leaf : plugs)
+      for (const std::size_t i : kept_connections_into(node, leaf)) places.insert(i);
+    for (std::size_t i = 0; i < node.kept.size(); ++i)
+      if (node.kept[i].source && (whole_node || places.contains(i))) kept(node, node.kept[i]);
+  }
+  if (whole_node && (both || arguments.has("destination")))
+    for (const Node* end : graph.nodes())
+      for (const KeptLine& line : end->kept)
+        if (line.source == node.id) kept(*end, line);
   if (both || arguments.has("destination"))
     for (const Connection& connection : graph.outgoing(node.id))
       if (wanted(connection.source))

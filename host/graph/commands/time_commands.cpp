@@ -81,6 +81,12 @@ const Node* curve_of(const Graph& graph, const Plug& plug) {
   return source && source->type->name() == "animCurve" ? source : nullptr;
 }
 
+// The curve is another node, but what it animates is the attribute that is locked.
+void check_unlocked(const Graph& graph, const Plug& plug) {
+  if (graph.find(plug.node)->is_locked(plug.attribute, plug.element))
+    throw GraphError(graph.name_of(plug) + " is locked");
+}
+
 struct CurveAttributes {
   explicit CurveAttributes(const Node& curve)
       : key(curve.schema->find("key")),
@@ -103,12 +109,17 @@ std::string set_one_key(Session& session, const Arguments& arguments, const Plug
                         const std::vector<Word>& words) {
   const Graph& graph = session.graph();
   Editor& editor = session.editor();
+  check_unlocked(graph, plug);
+  const Node* curve = curve_of(graph, plug);
+  const Input* driver = graph.find(plug.node)->input(plug.attribute, plug.element, plug.component);
+  if (driver && !curve)
+    throw GraphError(graph.name_of(plug) + " is driven by " + graph.name_of(driver->source) +
+                     ": disconnectAttr " + graph.name_of(plug) + " lets it be keyed");
   const double time = arguments.number("time").value_or(session.evaluator().time());
   const ResultPtr current = session.evaluator().evaluate(plug);
   if (current->error)
     throw GraphError(graph.name_of(plug) + ": " + session.evaluator().error_text(plug, *current));
   const double value = words.empty() ? number_of(current->value) : number_from(session, plug, words);
-  const Node* curve = curve_of(graph, plug);
   NodeId id = curve ? curve->id : NodeId();
   if (!curve) {
     std::string base =
@@ -191,6 +202,7 @@ CommandResult cut_key(Session& session, const Arguments& arguments) {
   for (const Plug& plug : plugs) {
     const Node* curve = curve_of(graph, plug);
     if (!curve) continue;
+    check_unlocked(graph, plug);
     const NodeId id = curve->id;
     const CurveAttributes attributes(*curve);
     const ResultPtr current = session.evaluator().evaluate(plug);

@@ -1,6 +1,7 @@
 // Kinds, locks, drivers, cycles: in that order, so that the plainest reason is told.
 #include "host/graph/edits/connect_problem.h"
 
+#include "host/graph/edits/kept_connections.h"
 #include "host/graph/model/conversion.h"
 #include "host/graph/model/cycles.h"
 
@@ -33,6 +34,10 @@ std::string problem_of_one(const Graph& graph, const Plug& source, const Plug& a
       return name() + " is already driven by " + graph.name_of(input.source) +
              ": disconnect it first, or connect with -force";
   }
+  const std::vector<std::size_t> kept = kept_connections_into(node, destination);
+  if (!kept.empty() && !replace)
+    return name() + " is already driven by " + kept_source_name(graph, node.kept[kept.front()]) +
+           ", of a type that is not known here: disconnect it first, or connect with -force";
   const auto cycle = cycle_through(graph, source, destination);
   if (!cycle.empty())
     return "cannot connect " + source_name() + " to " + name() + ": it would close the cycle " +

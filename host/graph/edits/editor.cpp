@@ -138,6 +138,16 @@ std::vector<NodeId> Editor::duplicate(const std::vector<NodeId>& nodes, bool wit
     copies.emplace(id, add_node(std::move(copy)));
   }
   for (const NodeId id : originals) {
+    // Connections that are kept for a node of an unknown type are copied as others are.
+    std::vector<KeptLine> kept = graph_.find(id)->kept;
+    std::erase_if(kept, [&](KeptLine& line) {
+      if (const auto copy = copies.find(line.source); copy != copies.end()) {
+        line.source = copy->second;
+        return false;
+      }
+      return bool(line.source) && !with_inputs;
+    });
+    if (!kept.empty() || !graph_.find(id)->kept.empty()) set_kept(copies.at(id), std::move(kept));
     const auto inputs = graph_.find(id)->inputs;
     for (const Input& input : inputs) {
       Plug source = input.source;

@@ -4,6 +4,7 @@
 
 #include "host/graph/edits/connect_problem.h"
 #include "host/graph/edits/editor.h"
+#include "host/graph/edits/kept_connections.h"
 #include "host/graph/graph_error.h"
 #include "host/graph/model/conversion.h"
 
@@ -33,6 +34,16 @@ bool equal(const Value& a, const Value& b) {
                     (*x)->type == (*y)->type);
 }
 
+// With a node of an unknown type at their other end.
+void drop_kept_connections(Editor& editor, const Plug& destination) {
+  const Node& node = *editor.graph().find(destination.node);
+  const std::vector<std::size_t> gone = kept_connections_into(node, destination);
+  if (gone.empty()) return;
+  std::vector<KeptLine> kept = node.kept;
+  for (auto i = gone.rbegin(); i != gone.rend(); ++i) kept.erase(kept.begin() + std::ptrdiff_t(*i));
+  editor.set_kept(destination.node, std::move(kept));
+}
+
 }  // namespace
 
 std::string Editor::set_problem(const Plug& plug) const {
@@ -45,9 +56,18 @@ std::string Editor::set_problem(const Plug& plug) const {
   if (attribute.spec.output) return name + " is computed and cannot be set";
   if (attribute.spec.read_only) return name + " is read-only";
   if (node.is_locked(plug.attribute, plug.element)) return name + " is locked";
+  const auto is_keyed = [&](const Input& input) {
+    return graph_.find(input.source.node)->type->name() == "animCurve";
+  };
   for (const Input& input : node.inputs_of(plug.attribute, plug.element))
     if (plug.component < 0 || input.component < 0 || input.component == plug.component)
-      return name + " is driven by " + graph_.name_of(input.source) + ": disconnect it first";
+      return is_keyed(input)
+                 ? name + " is keyed (" + graph_.find(input.source.node)->name +
+                       "): setKeyframe sets it at a frame, cutKey takes its keys away"
+                 : name + " is driven by " + graph_.name_of(input.source) + ": disconnect it first";
+  for (const std::size_t i : kept_connections_into(node, plug))
+    return name + " is driven by " + kept_source_name(graph_, node.kept[i]) +
+           ", of a type that is not known here: disconnect it first";
   return "";
 }
 
@@ -145,6 +165,7 @@ void Editor::connect_one(const Plug& source, Plug destination, bool replace) {
       history_.perform(
           SetInput{{destination.node, input.attribute, input.element, input.component}, std::nullopt});
   history_.perform(SetInput{destination, source});
+  drop_kept_connections(*this, destination);
 }
 
 void Editor::disconnect(const Plug& destination) {
@@ -157,6 +178,7 @@ void Editor::disconnect(const Plug& destination) {
         history_.perform(
             SetInput{{leaf.node, input.attribute, input.element, input.component}, std::nullopt});
   }
+  drop_kept_connections(*this, destination);
 }
 
 }  // namespace plinian::graph

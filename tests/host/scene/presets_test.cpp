@@ -42,7 +42,13 @@ TEST_F(Presets, APresetResetsASetInOneStepAndLeavesWhatIsConnectedAlone) {
       "connectAttr driver.translate.x settings.fast.view.shade_samples\nlockAttr "
       "settings.fast.map.threshold");
   const std::size_t steps = w.session().history().undo_names().size();
+  std::string told;
+  w.session().on_note = [&](const std::string& line) { told += line; };
   EXPECT_EQ(w.run("preset apply fast"), "fast");
+  EXPECT_EQ(
+      told,
+      "left as it is: settings.fast.map.threshold is locked; settings.fast.view.shade_samples is driven "
+      "by driver.translate.x");
   EXPECT_EQ(w.session().history().undo_names().size(), steps + 1);
   Quality now = quality_of(w.session(), "fast");
   EXPECT_EQ(now.view.shade_samples, 7);

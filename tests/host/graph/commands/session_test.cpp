@@ -69,6 +69,20 @@ TEST(Session, ConnectsAndListsConnections) {
   EXPECT_EQ(s.run("disconnectAttr y.weights\nlistConnections x -destination"), "x.out -> y.a");
 }
 
+// What its curve holds is the attribute's, although it is another node's.
+TEST(Session, ALockHoldsForKeysAndAKeyedAttributeSaysHowItIsSet) {
+  TestSession s;
+  s.run("createNode sum -name y\ncreateNode sum -name x\nsetKeyframe y.a -time 1 -value 3\nlockAttr y.a");
+  EXPECT_EQ(s.refusal("setKeyframe y.a -time 2 -value 5"), "y.a is locked");
+  EXPECT_EQ(s.refusal("cutKey y.a -time 1"), "y.a is locked");
+  EXPECT_EQ(s.run("getAttr y.a -time 2"), "3");
+  s.run("lockAttr -off y.a");
+  EXPECT_EQ(s.refusal("setAttr y.a 1"),
+            "y.a is keyed (y_a): setKeyframe sets it at a frame, cutKey takes its keys away");
+  s.run("connectAttr x.out y.b");
+  EXPECT_EQ(s.refusal("setKeyframe y.b"), "y.b is driven by x.out: disconnectAttr y.b lets it be keyed");
+}
+
 TEST(Session, KeysMakeCurvesAndCuttingThemFreesTheAttribute) {
   TestSession s;
   s.run("createNode group -name g\nsetAttr g.translate 1 2 3\ncurrentTime 10\n");

@@ -1,11 +1,14 @@
 // A scene outlives the plug-ins that it was made with.
 #include "host/graph/files/unknown_nodes.h"
 
+#include <fstream>
 #include <random>
 
 #include "host/graph/edits/clear.h"
 #include "host/graph/files/scene_reader.h"
 #include "host/graph/files/scene_writer.h"
+#include "tests/core/scene/temporary_folder.h"
+#include "tests/host/graph/commands/test_session.h"
 #include "tests/host/graph/test_scene.h"
 
 namespace plinian::graph {
@@ -84,6 +87,30 @@ TEST(UnknownNodes, TheyFollowNewNamesAndLoseConnectionsToWhatIsDeleted) {
   EXPECT_EQ(write_scene(scene.graph).find(".density <-"), std::string::npos);
   while (scene.graph.find("s") == nullptr) scene.history.undo();
   EXPECT_EQ(write_scene(scene.graph), before);
+}
+
+TEST(UnknownNodes, WhatTheyDriveIsSeenHeldAndLetGoOfAndCopiedWithThem) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "a.plinian") << scene_with_plume();
+  TestSession s;
+  s.run("open " + (folder / "a.plinian"));
+  EXPECT_EQ(s.run("listConnections top.translate"), "q.out -> top.translate.x");
+  EXPECT_EQ(s.run("listConnections q"), "s.out -> q.density\np.out -> q.keys[1]\nq.out -> top.translate.x");
+  EXPECT_EQ(s.refusal("setAttr top.translate.x 3"),
+            "top.translate.x is driven by q.out, of a type that is not known here: disconnect it first");
+  s.run("setAttr top.translate.y 3");
+  s.run("duplicate top q s");
+  EXPECT_EQ(s.run("listConnections top1"), "q1.out -> top1.translate.x");
+  EXPECT_EQ(s.run("listConnections q1 -source"), "s1.out -> q1.density\np1.out -> q1.keys[1]");
+  s.run("duplicate q");
+  EXPECT_EQ(s.run("listConnections q2"), "") << "from nodes that were not copied";
+  s.run("disconnectAttr top.translate.x\nsetAttr top.translate.x 3");
+  EXPECT_EQ(s.run("listConnections top"), "");
+  s.run("undo 2");
+  EXPECT_EQ(s.run("listConnections top"), "q.out -> top.translate.x");
+  EXPECT_EQ(s.refusal("connectAttr s1.out top.translate.x"),
+            "top.translate.x is already driven by q.out, of a type that is not known here: disconnect it first, "
+            "or connect with -force");
 }
 
 TEST(UnknownNodes, TheyComeAliveWithTheirPlugin) {
