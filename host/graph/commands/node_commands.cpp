@@ -96,12 +96,13 @@ void add_node_commands(CommandRegistry& commands) {
        .help = "Renames a node and answers with the name it got.",
        .parameters = {{"node", node, "its name"}, {"name", text, "the new one; a number makes it unique"}},
        .run = rename});
-  commands.add({.name = "duplicate",
-                .help = "Copies nodes and what is under them, with the connections among them.",
-                .parameters = {{"nodes", node, "names or patterns; else the selection", true, true}},
-                .flags = {{"name", "what the copies are called; numbers make it unique", text},
-                          {"inputs", "keep connections from nodes that are not copied", {}}},
-                .run = duplicate});
+  commands.add(
+      {.name = "duplicate",
+       .help = "Copies nodes and what is under them, with the connections among them and their keys.",
+       .parameters = {{"nodes", node, "names or patterns; else the selection", true, true}},
+       .flags = {{"name", "what the copies are called; numbers make it unique", text},
+                 {"inputs", "keep connections from nodes that are not copied, and share keys", {}}},
+       .run = duplicate});
   commands.add({.name = "parent",
                 .help = "Puts nodes under another one in the transform hierarchy.",
                 .parameters = {{"nodes", node, "the nodes and, last, their parent", false, true}},

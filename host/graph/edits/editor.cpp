@@ -129,7 +129,17 @@ std::string Editor::rename(NodeId id, const std::string& name) {
 std::vector<NodeId> Editor::duplicate(const std::vector<NodeId>& nodes, bool with_inputs) {
   const History::Scope scope(history_, "duplicate");
   std::unordered_map<NodeId, NodeId> copies;
-  const std::vector<NodeId> originals = with_descendants(graph_, nodes);
+  std::vector<NodeId> originals = with_descendants(graph_, nodes);
+  // What only exists to drive a node, as the curves of its keys, is copied with it.
+  const std::size_t own = originals.size();
+  if (!with_inputs) {
+    std::set<NodeId> among(originals.begin(), originals.end());
+    for (std::size_t i = 0; i < originals.size(); ++i)
+      for (const Input& input : graph_.find(originals[i])->inputs)
+        if (graph_.find(input.source.node)->type->spec().follows && among.insert(input.source.node).second)
+          originals.push_back(input.source.node);
+  }
+  const std::set<NodeId> drivers(originals.begin() + std::ptrdiff_t(own), originals.end());
   for (const NodeId id : originals) {
     Node copy = *graph_.find(id);
     copy.inputs.clear();
@@ -153,7 +163,7 @@ std::vector<NodeId> Editor::duplicate(const std::vector<NodeId>& nodes, bool wit
       Plug source = input.source;
       if (const auto copy = copies.find(source.node); copy != copies.end())
         source.node = copy->second;
-      else if (!with_inputs)
+      else if (!with_inputs && !drivers.contains(id))
         continue;
       history_.perform(SetInput{{copies.at(id), input.attribute, input.element, input.component}, source});
     }

@@ -26,8 +26,9 @@ class Editor {
   void delete_nodes(const std::vector<NodeId>& nodes);
   /// Returns the name that it got: a number makes it unique.
   std::string rename(NodeId node, const std::string& name);
-  /// Copies of the nodes and of what is under them, with values and the connections between them;
-  /// with_inputs: and those that come from elsewhere. Returns the copies of `nodes`, in their order.
+  /// Copies of the nodes and of what is under them, with values, the connections between them and nodes of
+  /// their own that only drive them, as curves of keys; with_inputs: connected to what drives the originals.
+  /// Returns the copies of `nodes`, in their order.
   std::vector<NodeId> duplicate(const std::vector<NodeId>& nodes, bool with_inputs = false);
   /// parent: 0 for the top.
   void set_parent(const std::vector<NodeId>& nodes, NodeId parent);

@@ -83,6 +83,18 @@ TEST(Session, ALockHoldsForKeysAndAKeyedAttributeSaysHowItIsSet) {
   EXPECT_EQ(s.refusal("setKeyframe y.b"), "y.b is driven by x.out: disconnectAttr y.b lets it be keyed");
 }
 
+TEST(Session, ACopyHasKeysOfItsOwn) {
+  TestSession s;
+  s.run(
+      "createNode group -name g\nsetKeyframe g.translate.x -time 1 -value 0 -interpolation linear\n"
+      "setKeyframe g.translate.x -time 10 -value 9\ncurrentTime 10\nduplicate g");
+  EXPECT_EQ(s.run("getAttr g1.translate.x\ngetAttr g1.translate.x -time 4"), "9\n3");
+  s.run("setKeyframe g1.translate.x -time 10 -value 90");
+  EXPECT_EQ(s.run("getAttr g.translate.x\ngetAttr g1.translate.x"), "9\n90");
+  s.run("duplicate g -inputs");
+  EXPECT_EQ(s.run("listConnections g2"), "g_translate_x.out -> g2.translate.x");
+}
+
 TEST(Session, KeysMakeCurvesAndCuttingThemFreesTheAttribute) {
   TestSession s;
   s.run("createNode group -name g\nsetAttr g.translate 1 2 3\ncurrentTime 10\n");
