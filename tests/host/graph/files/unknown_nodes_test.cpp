@@ -108,9 +108,10 @@ TEST(UnknownNodes, WhatTheyDriveIsSeenHeldAndLetGoOfAndCopiedWithThem) {
   EXPECT_EQ(s.run("listConnections top"), "");
   s.run("undo 2");
   EXPECT_EQ(s.run("listConnections top"), "q.out -> top.translate.x");
-  EXPECT_EQ(s.refusal("connectAttr s1.out top.translate.x"),
-            "top.translate.x is already driven by q.out, of a type that is not known here: disconnect it first, "
-            "or connect with -force");
+  EXPECT_EQ(
+      s.refusal("connectAttr s1.out top.translate.x"),
+      "top.translate.x is already driven by q.out, of a type that is not known here: disconnect it first, "
+      "or connect with -force");
 }
 
 TEST(UnknownNodes, TheyComeAliveWithTheirPlugin) {
