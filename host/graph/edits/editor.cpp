@@ -157,7 +157,7 @@ std::vector<NodeId> Editor::duplicate(const std::vector<NodeId>& nodes, bool wit
       }
       return bool(line.source) && !with_inputs;
     });
-    if (!kept.empty() || !graph_.find(id)->kept.empty()) set_kept(copies.at(id), std::move(kept));
+    if (!graph_.find(id)->kept.empty()) set_kept(copies.at(id), std::move(kept));
     const auto inputs = graph_.find(id)->inputs;
     for (const Input& input : inputs) {
       Plug source = input.source;

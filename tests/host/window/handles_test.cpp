@@ -317,7 +317,8 @@ TEST_F(Handles, WhatIsLockedOrDrivenSaysSoAndTheRestMoves) {
   EXPECT_EQ(problem(Tool::translate, Part::xy), "thing.translate.x is locked");
   EXPECT_EQ(problem(Tool::translate, Part::centre), "thing.translate.x is locked");
   EXPECT_EQ(problem(Tool::translate, Part::yz), "");
-  EXPECT_NE(problem(Tool::rotate, Part::view).find("thing.rotate.y is keyed (thing_rotate_y)"), std::string::npos);
+  EXPECT_NE(problem(Tool::rotate, Part::view).find("thing.rotate.y is keyed (thing_rotate_y)"),
+            std::string::npos);
   EXPECT_EQ(problem(Tool::scale, Part::centre), "");
   run("select key");
   EXPECT_EQ(problem(Tool::translate, Part::x), "none") << "a sun has no place";
