@@ -263,6 +263,7 @@ Frame GlRenderer::render_once(const SceneSnapshot& scene, const Passes& passes, 
   const FlatScene whole = flatten(scene);
   if (gpu_)
     for (BatchState& batch : gpu_->batches) batch.light_count = 0;
+  stats_.begin_picture();
   if (whole.media.empty()) return empty_frame(scene);
   if (!gpu_) gpu_.emplace();
   const auto textures = upload(whole);
@@ -283,7 +284,6 @@ Frame GlRenderer::render_once(const SceneSnapshot& scene, const Passes& passes, 
   double job = 0.0;
 
   stats_.map_bytes = 0;
-  stats_.map_ms = stats_.view_ms = stats_.map_cpu_ms = stats_.view_cpu_ms = 0.0;
   // One pass of some lights; `first` where it is the first in their sums.
   const FlatScene* in_blocks = nullptr;
   const auto render_part = [&](FlatScene& flat, BatchState& state, int pass, bool first) {

@@ -119,7 +119,7 @@ Frame DualMarch::render(const SceneSnapshot& scene, const Passes& /*passes*/, co
   };
 
   pixels_per_level_.clear();
-  stats_.warnings.clear();
+  stats_.begin_picture();
   ProgressGate gate(progress);
   std::atomic<std::int64_t> not_finite{0};
   std::vector<std::uint8_t> agreements(frame.beauty.size(), 0), exact(frame.beauty.size(), 0);

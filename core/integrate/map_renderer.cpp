@@ -88,6 +88,7 @@ void MapRenderer::build_maps(FlatScene& flat, BatchMaps& maps, const Progress& p
 
 Frame MapRenderer::render(const SceneSnapshot& scene, const Passes& passes, const Progress& progress) {
   const FlatScene whole = flatten(scene);
+  stats_.begin_picture();
   if (whole.media.empty()) return empty_frame(scene);
   const auto start = Clock::now();
   const double cpu_start = processor_milliseconds();

@@ -38,6 +38,14 @@ struct RenderStats {
   double upload_ms = 0, map_ms = 0, view_ms = 0;  // wall clock of the last render's parts
   double map_cpu_ms = 0, view_cpu_ms = 0;         // processor time of the same, summed over threads
   std::vector<std::string> warnings;
+
+  /// Forgets what was of the last picture; counters and what is kept for the next one stay.
+  void begin_picture() {
+    passes = 0;
+    rest_change.reset();
+    upload_ms = map_ms = view_ms = map_cpu_ms = view_cpu_ms = 0.0;
+    warnings.clear();
+  }
 };
 
 }  // namespace plinian

@@ -241,13 +241,19 @@ std::optional<graph::Value> output_of(graph::Session& session, const graph::Node
   return result->error ? std::nullopt : std::optional(result->value);
 }
 
+// What a reader says of what it shows; empty: nothing.
+std::string badge_line(graph::Session& session, const graph::Node& reader) {
+  const auto badge = output_of(session, reader, "badge");
+  if (!badge || std::get<std::string>(*badge).empty()) return "";
+  return reader.name + ": " + std::get<std::string>(*badge);
+}
+
 // What is shown in place of frames that are missing; once, where it is the same for many.
 void tell_badges(PreparedScene& scene) {
   graph::Session& session = scene.workspace->session();
   for (const graph::Node* node : readers_of(session.graph())) {
-    const auto badge = output_of(session, *node, "badge");
-    if (!badge || std::get<std::string>(*badge).empty()) continue;
-    const std::string line = node->name + ": " + std::get<std::string>(*badge);
+    const std::string line = badge_line(session, *node);
+    if (line.empty()) continue;
     if (std::find(scene.warnings.begin(), scene.warnings.end(), line) != scene.warnings.end()) continue;
     scene.warnings.push_back(line);
     warn(line);
@@ -298,6 +304,17 @@ void apply_edit(scene::Workspace& workspace, const SceneEdit& edit) {
   }
 }
 
+std::vector<std::string> missing_files(PreparedScene& scene) {
+  graph::Session& session = scene.workspace->session();
+  std::vector<std::string> lines;
+  for (const graph::Node* node : readers_of(session.graph())) {
+    const auto missing = output_of(session, *node, "frame_missing");
+    const bool blank = session.execute("getAttr " + node->name + ".missing").front() == "blank";
+    if (missing && graph::number_of(*missing) != 0.0 && blank) lines.push_back(badge_line(session, *node));
+  }
+  return lines;
+}
+
 void tell_shown_frames(PreparedScene& scene) {
   graph::Session& session = scene.workspace->session();
   for (const graph::Node* node : readers_of(session.graph())) {
@@ -339,7 +356,7 @@ SceneSnapshot take_snapshot(PreparedScene& scene) {
   return std::move(built.snapshot);
 }
 
-PreparedScene prepare_scene(const SceneArguments& arguments) {
+PreparedScene prepare_scene(const SceneArguments& arguments, FirstSnapshot first) {
   const auto start = std::chrono::steady_clock::now();
   refuse_script(arguments.input);
   std::string save_as = arguments.save_as;
@@ -355,7 +372,7 @@ PreparedScene prepare_scene(const SceneArguments& arguments) {
     open_scene(scene, arguments);
   else
     import_input(scene, arguments);
-  scene.snapshot = take_snapshot(scene);
+  if (first == FirstSnapshot::taken) scene.snapshot = take_snapshot(scene);
   if (!save_as.empty()) {
     scene.workspace->session().save_scene(save_as);
     note(save_as + ": the scene, saved");

@@ -19,13 +19,20 @@ struct PreparedScene {
   double load_ms = 0.0;                      // wall clock
 };
 
+/// Whether a scene is prepared with a snapshot of the moment that is on.
+enum class FirstSnapshot { taken, left_out };
+
 /// Opens a scene, or makes the nodes that the input stands for; applies --set and the like, reads what the
 /// picture needs, and says aloud what was assumed. Throws std::runtime_error, SceneLoadCancelled.
-PreparedScene prepare_scene(const SceneArguments& arguments);
+PreparedScene prepare_scene(const SceneArguments& arguments, FirstSnapshot first = FirstSnapshot::taken);
 
 /// The snapshot of the scene as it is now. Says aloud what is shown in place of what is missing. Throws
 /// std::runtime_error where a shape fails, SceneLoadCancelled.
 SceneSnapshot take_snapshot(PreparedScene& scene);
+
+/// Files of the moment that is on which are not there or cannot be read, and in whose place nothing is shown,
+/// one line each: "medium_file: frame 2 is missing".
+std::vector<std::string> missing_files(PreparedScene& scene);
 
 /// Says which frame of each sequence the scene shows now, where only one is to be a picture.
 void tell_shown_frames(PreparedScene& scene);

@@ -83,6 +83,8 @@ int run_render(const RenderArguments& arguments, const std::string& command_line
                                                      : "--sheet: needs --vary KEY=VALUE,VALUE to fill it");
   if (!arguments.vary.empty() && !arguments.frames.empty())
     throw std::runtime_error("--vary: cannot go with --frames");
+  if (!arguments.vary.empty() && !arguments.outputs.empty())
+    throw std::runtime_error("--output: variants go on the sheet, " + arguments.sheet + ": leave it out");
   if (!arguments.vary.empty()) return run_variants(arguments);
   return arguments.frames.empty() ? run_once(arguments, command_line) : run_frames(arguments, command_line);
 }

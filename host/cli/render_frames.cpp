@@ -79,89 +79,207 @@ bool holds(const std::string& path, const std::string& job) {
   }
 }
 
+// "1-3, 7": numbers in ascending order.
+std::string ranges_text(const std::vector<int>& frames) {
+  std::string text;
+  for (std::size_t begin = 0; begin < frames.size();) {
+    std::size_t end = begin + 1;
+    while (end < frames.size() && frames[end] == frames[end - 1] + 1) ++end;
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", frames[begin]);
+    if (end - begin > 1) text += fmt::format("-{}", frames[end - 1]);
+    begin = end;
+  }
+  return text;
+}
+
+// " (medium 3.2)": what the import has just said of the scale does not hold.
+std::string scales_text(const KeptSetup& setup) {
+  constexpr std::string_view attribute = ".density_scale ";
+  std::vector<std::string> scales;
+  for (const std::string& value : setup.values)
+    if (const std::size_t at = value.find(attribute); at != value.npos)
+      scales.push_back(value.substr(0, at) + " " + value.substr(at + attribute.size()));
+  return scales.empty() ? "" : " (" + join(scales) + ")";
+}
+
+// What became of the frames.
+struct Tally {
+  int made = 0, skipped = 0;    // pictures of now and of before
+  std::vector<int> incomplete;  // those of them in which a file is missing
+  std::string reader;           // that misses the first
+  std::vector<int> failed;      // no picture
+  nlohmann::ordered_json report = nlohmann::ordered_json::array();
+};
+
+// The frames of one job.
+class FrameJob {
+ public:
+  FrameJob(const RenderArguments& arguments, const std::string& command_line)
+      : arguments_(arguments),
+        command_line_(command_line),
+        range_(parse_frames(arguments.frames)),
+        patterns_(outputs_of(arguments)),
+        writing_(write_options(arguments)) {
+    for (const FramePattern& pattern : patterns_) check_output(pattern.path(range_.first), writing_);
+    for (std::size_t i = 0; i < arguments.outputs.size(); ++i)
+      if (!FramePattern::parse(arguments.outputs[i]))
+        note(fmt::format("{}: frames are numbered, from {} on", arguments.outputs[i],
+                         patterns_[i].path(range_.first)));
+    scene_ = prepare_scene(arguments.scene, FirstSnapshot::left_out);
+    tell_one_file();
+    keep_setup();
+    // Nobody scrubs back: frames that are done need not stay in memory.
+    session().evaluator().cache().set_budget(std::size_t(256) << 20);
+    chosen_ = choose_renderer(arguments.renderer, {.reference_tolerance = arguments.tolerance});
+  }
+
+  int run() {
+    bool cut_short = false;
+    for (int frame = range_.first; frame <= range_.last && !cut_short; ++frame) try {
+        cut_short = !render(frame);
+      } catch (const RenderCancelled&) {
+        cut_short = true;
+      } catch (const SceneLoadCancelled&) {
+        cut_short = true;
+      }
+    return tell(cut_short);
+  }
+
+ private:
+  graph::Session& session() { return scene_.workspace->session(); }
+
+  // Whoever names one file of a sequence and wants its frames means the sequence.
+  void tell_one_file() const {
+    const fs::path input = arguments_.scene.input;
+    if (input.extension() != ".vdb" || range_.first == range_.last || FramePattern::parse(input.string()))
+      return;
+    std::string name = input.filename().string();
+    const std::size_t end = name.find_last_of("0123456789");
+    if (end == name.npos) return;
+    const std::size_t before = name.find_last_not_of("0123456789", end),
+                      begin = before == name.npos ? 0 : before + 1;
+    name.replace(begin, end + 1 - begin, std::string(end + 1 - begin, '#'));
+    const auto pattern = FramePattern::parse((input.parent_path() / name).string());
+    if (pattern && pattern->frames_on_disk().size() > 1)
+      warn(fmt::format("{} is one file, which every frame shows; the sequence is {}", arguments_.scene.input,
+                       pattern->text()));
+  }
+
+  // A scene of its own says it all; what is made of a sequence is settled by what is there of it.
+  void keep_setup() {
+    if (arguments_.scene.input.ends_with(".plinian")) return;
+    if (const auto kept = find_setup(patterns_, arguments_.scene); kept && restore_setup(session(), *kept)) {
+      note(
+          fmt::format("camera, density scale{} and lights stay as {} has them: without the pictures they are "
+                      "settled anew",
+                      scales_text(*kept), kept->picture));
+      if (!arguments_.scene.save_as.empty()) session().save_scene("");
+    }
+    setup_ = setup_text(session(), arguments_.scene);
+  }
+
+  // The scene at a frame; empty, and told, where it cannot be made: the other frames are worth having.
+  std::optional<SceneSnapshot> snapshot_at(int frame, nlohmann::ordered_json& report) {
+    try {
+      session().execute(fmt::format("currentTime {}", frame));
+      return take_snapshot(scene_);
+    } catch (const SceneLoadCancelled&) {
+      throw;
+    } catch (const std::runtime_error& reason) {
+      // What is wrong with many frames in the same way is told once.
+      if (reason.what() != last_failure_) error(fmt::format("frame {}: {}", frame, reason.what()));
+      last_failure_ = reason.what();
+      report["error"] = last_failure_;
+      return std::nullopt;
+    }
+  }
+
+  // False where it was interrupted.
+  bool render(int frame) {
+    std::vector<std::string> outputs;
+    for (const FramePattern& pattern : patterns_) outputs.push_back(pattern.path(frame));
+    nlohmann::ordered_json report = {{"frame", frame}, {"outputs", outputs}};
+    const std::optional<SceneSnapshot> snapshot = snapshot_at(frame, report);
+    if (!snapshot) {
+      tally_.failed.push_back(frame);
+      tally_.report.push_back(std::move(report));
+      return true;
+    }
+    const std::vector<std::string> missing = missing_files(scene_);
+    const std::string job = job_hash(*snapshot, chosen_.name, arguments_);
+    const bool skipped = std::all_of(outputs.begin(), outputs.end(),
+                                     [&](const std::string& output) { return holds(output, job); });
+    if (skipped) {
+      note(fmt::format("{}: there already, made by the same scene, quality and version", join(outputs)));
+    } else {
+      Picture picture = make_picture(chosen_, *snapshot, arguments_, command_line_,
+                                     fmt::format("frame {} of {}", frame, range_.last), job);
+      // Half a picture must not pass for a whole one when the rest is made.
+      if (picture.cut_short) return false;
+      picture.image.metadata[attribute::frame] = frame;
+      if (!setup_.empty()) picture.image.metadata[setup_attribute] = setup_;
+      if (scene_.seed) picture.image.metadata[attribute::seed] = *scene_.seed;
+      for (const std::string& output : outputs) write_image(output, picture.image, writing_);
+      tell_picture(join(outputs), picture);
+      report.update(picture_report(picture, outputs));
+    }
+    report["skipped"] = skipped;
+    ++(skipped ? tally_.skipped : tally_.made);
+    if (!missing.empty()) {
+      if (tally_.incomplete.empty()) tally_.reader = missing.front().substr(0, missing.front().find(": "));
+      tally_.incomplete.push_back(frame);
+      report["missing"] = missing;
+    }
+    tally_.report.push_back(std::move(report));
+    return true;
+  }
+
+  // The end of a job; returns its exit code.
+  int tell(bool cut_short) const {
+    const int all = range_.last - range_.first + 1;
+    if (arguments_.json)
+      print(nlohmann::ordered_json{{"input", arguments_.scene.input},
+                                   {"made", tally_.made},
+                                   {"skipped", tally_.skipped},
+                                   {"incomplete", tally_.incomplete},
+                                   {"failed", tally_.failed},
+                                   {"interrupted", cut_short},
+                                   {"frames", tally_.report},
+                                   {"notes", scene_.notes},
+                                   {"warnings", scene_.warnings}}
+                .dump(2) +
+            "\n");
+    if (!tally_.incomplete.empty())
+      error(
+          fmt::format("drawn without a file that is missing or cannot be read: frames {}; --set "
+                      "{}.missing=hold fills such places with the frame before",
+                      ranges_text(tally_.incomplete), tally_.reader));
+    if (!tally_.failed.empty()) error(fmt::format("no picture of frames {}", ranges_text(tally_.failed)));
+    if (cut_short) {
+      warn(fmt::format("interrupted: {} of {} frames are done; the same command makes the rest",
+                       tally_.made + tally_.skipped, all));
+      return exit_cancelled;
+    }
+    note(fmt::format("{} of {} frames made, {} were there already", tally_.made, all, tally_.skipped));
+    return tally_.incomplete.empty() && tally_.failed.empty() ? exit_success : exit_failure;
+  }
+
+  const RenderArguments& arguments_;
+  const std::string& command_line_;
+  const FrameRange range_;
+  const std::vector<FramePattern> patterns_;
+  const WriteOptions writing_;
+  PreparedScene scene_;
+  NamedRenderer chosen_;
+  std::string setup_;         // what pictures carry of a setup that is settled; empty: nothing
+  std::string last_failure_;  // that was told
+  Tally tally_;
+};
+
 }  // namespace
 
 int run_frames(const RenderArguments& arguments, const std::string& command_line) {
-  const FrameRange range = parse_frames(arguments.frames);
-  const std::vector<FramePattern> patterns = outputs_of(arguments);
-  const WriteOptions writing = write_options(arguments);
-  for (const FramePattern& pattern : patterns) check_output(pattern.path(range.first), writing);
-  for (std::size_t i = 0; i < arguments.outputs.size(); ++i)
-    if (!FramePattern::parse(arguments.outputs[i]))
-      note(fmt::format("{}: frames are numbered, from {} on", arguments.outputs[i],
-                       patterns[i].path(range.first)));
-
-  PreparedScene scene = prepare_scene(arguments.scene);
-  graph::Session& session = scene.workspace->session();
-  // A scene of its own says it all; what is made of a sequence is settled by what is there of it.
-  const bool settles = !arguments.scene.input.ends_with(".plinian");
-  if (const auto kept = settles ? find_setup(patterns, arguments.scene) : std::nullopt;
-      kept && restore_setup(session, *kept)) {
-    note(fmt::format(
-        "camera, scale and lights stay as {} has them: without the pictures they are settled anew",
-        kept->picture));
-    if (!arguments.scene.save_as.empty()) session.save_scene("");
-  }
-  const std::string setup = settles ? setup_text(session, arguments.scene) : "";
-  // Nobody scrubs back: frames that are done need not stay in memory.
-  session.evaluator().cache().set_budget(std::size_t(256) << 20);
-  NamedRenderer chosen = choose_renderer(arguments.renderer, {.reference_tolerance = arguments.tolerance});
-  nlohmann::ordered_json frames = nlohmann::ordered_json::array();
-  int made = 0, left = 0;
-  bool cut_short = false;
-  for (int frame = range.first; frame <= range.last && !cut_short; ++frame) {
-    std::vector<std::string> outputs;
-    for (const FramePattern& pattern : patterns) outputs.push_back(pattern.path(frame));
-    try {
-      session.execute(fmt::format("currentTime {}", frame));
-      const SceneSnapshot snapshot = take_snapshot(scene);
-      const std::string job = job_hash(snapshot, chosen.name, arguments);
-      if (std::all_of(outputs.begin(), outputs.end(),
-                      [&](const std::string& output) { return holds(output, job); })) {
-        note(fmt::format("{}: there already, made by the same scene, quality and version", join(outputs)));
-        frames.push_back({{"frame", frame}, {"outputs", outputs}, {"skipped", true}});
-        ++left;
-        continue;
-      }
-      Picture picture = make_picture(chosen, snapshot, arguments, command_line,
-                                     fmt::format("frame {} of {}", frame, range.last), job);
-      // Half a picture must not pass for a whole one when the rest is made.
-      cut_short = picture.cut_short;
-      if (cut_short) break;
-      picture.image.metadata[attribute::frame] = frame;
-      if (settles) picture.image.metadata[setup_attribute] = setup;
-      if (scene.seed) picture.image.metadata[attribute::seed] = *scene.seed;
-      for (const std::string& output : outputs) write_image(output, picture.image, writing);
-      tell_picture(join(outputs), picture);
-      nlohmann::ordered_json report = {{"frame", frame}};
-      report.update(picture_report(picture, outputs));
-      report["skipped"] = false;
-      frames.push_back(std::move(report));
-      ++made;
-    } catch (const RenderCancelled&) {
-      cut_short = true;
-    } catch (const SceneLoadCancelled&) {
-      cut_short = true;
-    }
-  }
-  const int all = range.last - range.first + 1;
-  if (arguments.json)
-    print(nlohmann::ordered_json{{"input", arguments.scene.input},
-                                 {"made", made},
-                                 {"skipped", left},
-                                 {"interrupted", cut_short},
-                                 {"frames", frames},
-                                 {"notes", scene.notes},
-                                 {"warnings", scene.warnings}}
-              .dump(2) +
-          "\n");
-  if (cut_short) {
-    warn(fmt::format("interrupted: {} of {} frames are done; the same command makes the rest", made + left,
-                     all));
-    return exit_cancelled;
-  }
-  note(fmt::format("{} of {} frames made, {} were there already", made, all, left));
-  return exit_success;
+  return FrameJob(arguments, command_line).run();
 }
 
 }  // namespace plinian::cli

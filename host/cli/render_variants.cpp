@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <tuple>
 #include <utility>
@@ -11,6 +13,7 @@
 #include "host/cli/command.h"
 #include "host/cli/console.h"
 #include "host/cli/picture.h"
+#include "host/graph/graph_error.h"
 
 namespace plinian::cli {
 
@@ -67,6 +70,27 @@ void check_values(PreparedScene& scene, const std::vector<Variation>& variations
   session.on_warning = on_warning;
 }
 
+// A value as the attribute has it now: a limit may have changed it, and the picture is of what came out.
+std::string settled_text(graph::Session& session, const std::string& key, const std::string& asked) {
+  const auto number = [](const std::string& text) -> std::optional<double> {
+    double value = 0.0;
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, value);
+    return error == std::errc() && rest == end ? std::optional(value) : std::nullopt;
+  };
+  const auto wanted = number(asked);
+  if (!wanted) return asked;
+  try {
+    const std::string text = session.execute("getAttr " + key).front();
+    const auto is = number(text);
+    if (is && std::abs(*is - *wanted) > 1e-5 * std::max(1.0, std::abs(*wanted)))
+      return fmt::format("{} (asked: {})", text, asked);
+  } catch (const graph::GraphError&) {
+    // A key of the quality, or one that places a camera, is no attribute, and is refused beyond its limits.
+  }
+  return asked;
+}
+
 // What stands in the place of a picture that could not be made.
 SheetPicture empty_cell(const std::vector<SheetPicture>& pictures, const std::string& label) {
   SheetPicture cell{64, 64, {}, label + ": failed"};
@@ -83,6 +107,9 @@ int run_variants(const RenderArguments& arguments) {
   std::size_t count = 1;
   for (const std::string& text : arguments.vary) {
     variations.push_back(parse_variation(text));
+    const std::string& key = variations.back().key;
+    if (std::ranges::count(variations, key, &Variation::key) > 1)
+      throw std::runtime_error(fmt::format("--vary {}: is varied twice; give all its values at once", key));
     count *= variations.back().values.size();
   }
   if (count > 1024)
@@ -102,7 +129,8 @@ int run_variants(const RenderArguments& arguments) {
   nlohmann::ordered_json report = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < count; ++i) {
     // The last variation changes fastest.
-    std::string label, name;
+    std::string name;
+    std::vector<std::string> chosen_values(variations.size());
     std::vector<SceneEdit> edits;
     nlohmann::ordered_json values;
     for (std::size_t v = variations.size(), rest = i; v-- > 0;) {
@@ -110,13 +138,24 @@ int run_variants(const RenderArguments& arguments) {
       const std::string& value = variation.values[rest % variation.values.size()];
       rest /= variation.values.size();
       edits.push_back({variation.key, value, "--vary " + variation.key});
-      label = short_name(variation, variations) + " " + value + (label.empty() ? "" : ", ") + label;
+      chosen_values[v] = value;
       name = variation.key + "=" + value + (name.empty() ? "" : ", ") + name;
       values[variation.key] = value;
     }
+    const auto label_of = [&](auto text_of) {
+      std::vector<std::string> parts;
+      for (std::size_t v = 0; v < variations.size(); ++v)
+        parts.push_back(short_name(variations[v], variations) + " " +
+                        text_of(variations[v].key, chosen_values[v]));
+      return join(parts);
+    };
+    std::string label = label_of([](const std::string&, const std::string& asked) { return asked; });
     nlohmann::ordered_json one = {{"values", values}};
     try {
       for (const SceneEdit& edit : edits) apply_edit(*scene.workspace, edit);
+      label = label_of([&](const std::string& key, const std::string& asked) {
+        return settled_text(scene.workspace->session(), key, asked);
+      });
       const SceneSnapshot snapshot = take_snapshot(scene);
       const Picture picture =
           make_picture(chosen, snapshot, arguments, "", fmt::format("variant {} of {}", i + 1, count));

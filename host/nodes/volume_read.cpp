@@ -16,6 +16,7 @@
 // facts                what the file says of itself
 // frame                of the sequence, that is shown
 // badge                why something else is shown than what was asked for; empty: nothing to say
+// frame_missing        the file of the frame is not there or cannot be read
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -42,7 +43,7 @@ enum class Missing { blank, hold, error };
 struct Attributes {
   Attribute file, grid, temperature_grid, level_set, frustum, up_axis, file_unit, time_limit, memory_limit,
       time, automatic_range, start, end, offset, speed, frames_per_second, scene_rate, use_source_frame,
-      source_frame, before, after, missing, reload, volume, space, facts, frame, badge;
+      source_frame, before, after, missing, reload, volume, space, facts, frame, badge, frame_missing;
 };
 
 const char* const beyond_words = "hold,loop,ping_pong,blank";
@@ -55,6 +56,7 @@ struct Shown {
   std::string badge;
   std::uint64_t content = 0;
   int frame = 0;
+  bool frame_missing = false;
 };
 
 class Reader {
@@ -91,6 +93,7 @@ class Reader {
     const std::optional<int> frame = frame_in_range(timing, source);
     if (!frame) return blank("", int(std::clamp(std::floor(source), -1e9, 1e9)));
     Shown shown = read_frame(pattern, frames, *frame);
+    shown.frame_missing = !shown.badge.empty();
     if (shown.badge.empty()) shown.badge = held(timing, source);
     return shown;
   }
@@ -190,7 +193,7 @@ class Reader {
 };
 
 Attributes declare(sdk::NodeType& type) {
-  const std::string all = "volume space facts frame badge";
+  const std::string all = "volume space facts frame badge frame_missing";
   const auto& parameters = medium_parameters();
   Attributes a;
   a.file =
@@ -361,6 +364,11 @@ Attributes declare(sdk::NodeType& type) {
                       .type = "string",
                       .help = "Why something else is shown than what was asked for.",
                       .output = true});
+  a.frame_missing =
+      type.add({.name = "frame_missing",
+                .type = "bool",
+                .help = "The file of the frame is not there or cannot be read; missing says what is shown.",
+                .output = true});
   return a;
 }
 
@@ -379,6 +387,7 @@ void add_volume_read(sdk::Plugin& plugin, std::shared_ptr<VolumeStore> store) {
     }
     context.set(a.frame, double(shown.frame));
     context.set(a.badge, shown.badge);
+    context.set(a.frame_missing, shown.frame_missing ? 1.0 : 0.0);
     context.set(a.space, columns(shown.space));
     if (shown.file)
       context.set_data(a.facts, facts_type, std::make_unique<const VdbFacts>(shown.file->facts), 1024);

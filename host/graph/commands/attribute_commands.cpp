@@ -137,7 +137,8 @@ CommandResult reset_attr(Session& session, const Arguments& arguments) {
 // What is missing in an attribute that is to be added, or contradicts itself; empty where all is well.
 std::string addition_problem(const Node& node, const AttributeSpec& spec, const Arguments& arguments) {
   const std::string name = arguments.text("name");
-  if (!is_identifier(name)) return shown(name) + " cannot name an attribute: letters, digits and _";
+  if (!is_identifier(name))
+    return shown(name) + " cannot name an attribute: a letter or _, then letters, digits and _";
   if (node.schema->find(name) != no_attribute)
     return node.name + " has an attribute " + shown(name) + " already";
   if (spec.type == AttributeType::choice && spec.choices.empty())

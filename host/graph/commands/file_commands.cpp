@@ -128,7 +128,8 @@ void check_is_scene(Session& session, const std::string& file) {
 CommandResult import(Session& session, const Arguments& arguments) {
   std::string name_space = arguments.text("namespace");
   if (!name_space.empty() && !is_node_name(name_space))
-    throw GraphError("import: " + shown(name_space) + " cannot be a namespace: letters, digits and _");
+    throw GraphError("import: " + shown(name_space) +
+                     " cannot be a namespace: a letter or _, then letters, digits and _");
   if (arguments.has("merge") && name_space.empty())
     throw GraphError("import: -merge says what becomes of -namespace, which is not given");
   const FileType* type = session.file_types().find(arguments.text("file"));

@@ -24,7 +24,9 @@ namespace {
 
 void check_name(const std::string& name) {
   if (!is_node_name(name))
-    throw GraphError(shown(name) + " cannot name a node: letters, digits and _, with ':' after a namespace");
+    throw GraphError(shown(name) +
+                     " cannot name a node: a letter or _, then letters, digits and _, with ':' after "
+                     "a namespace");
 }
 
 void check_parent(const Graph& graph, const NodeType& type, const std::string& name, NodeId parent) {

@@ -2,6 +2,7 @@
 #include "host/graph/model/graph.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 
 #include "core/scene/nearest_word.h"
@@ -17,6 +18,20 @@ constexpr std::string_view axis_letters = "xyzw", colour_letters = "rgba";
 
 std::string_view component_letters(AttributeType type) {
   return type == AttributeType::colour ? colour_letters : axis_letters;
+}
+
+// " (did you mean 'translate.x'?)": what Maya calls translateX, or tx, is a part of a compound here.
+std::string meant_path(const Schema& schema, const std::string& path) {
+  const char part = path.empty() ? ' ' : char(std::tolower(static_cast<unsigned char>(path.back())));
+  for (const AttributeIndex top : schema.top()) {
+    const std::string& name = schema[top].path;
+    const std::string whole = name + "." + part;
+    const std::string before = path.substr(0, path.empty() ? 0 : path.size() - 1);
+    if ((before == name || (before.size() == 1 && name.starts_with(before))) &&
+        schema.find(whole) != no_attribute)
+      return " (did you mean '" + whole + "'?)";
+  }
+  return did_you_mean(path, schema.paths());
 }
 
 }  // namespace
@@ -135,7 +150,7 @@ Plug Graph::plug(const Node& node, std::string_view path) {
     const std::string kind =
         node.type->is_unknown() ? ", whose type " + node.type->name() + " is not known here" : "";
     throw GraphError("node '" + node.name + "' (" + node.type->name() + ") has no attribute " + shown(plain) +
-                     did_you_mean(plain, schema.paths()) + kind);
+                     meant_path(schema, plain) + kind);
   }
   const AttributeIndex array = schema[plug.attribute].array;
   if (plug.element >= 0 && (array == no_attribute || schema[array].path.size() != array_length))

@@ -35,7 +35,7 @@ NodeType::NodeType(NodeTypeSpec spec) : spec_(std::move(spec)) {
   const auto wrong = [&](const std::string& why) {
     throw GraphError("node type '" + spec_.name + "': " + why);
   };
-  if (!is_identifier(spec_.name)) wrong("a name is made of letters, digits and _");
+  if (!is_identifier(spec_.name)) wrong("a name is a letter or _, then letters, digits and _");
   if (spec_.version < 1) wrong("versions count from 1");
   if (spec_.holds_children && !spec_.hierarchical) wrong("a parent must have a place in the hierarchy");
   try {

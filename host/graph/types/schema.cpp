@@ -13,7 +13,7 @@ namespace {
 // What a declaration may get wrong by itself.
 void check(const AttributeSpec& spec, const std::string& path) {
   const auto wrong = [&](const std::string& why) { throw GraphError("attribute '" + path + "': " + why); };
-  if (!is_identifier(spec.name)) wrong("a name is made of letters, digits and _");
+  if (!is_identifier(spec.name)) wrong("a name is a letter or _, then letters, digits and _");
   if ((spec.type == AttributeType::compound) == spec.children.empty())
     wrong(spec.children.empty() ? "a compound needs children" : "only a compound has children");
   if (spec.type == AttributeType::choice && spec.choices.empty()) wrong("an enum needs choices");

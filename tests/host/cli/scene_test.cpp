@@ -415,6 +415,16 @@ TEST_F(Program, VariationsAreReadWordByWord) {
   EXPECT_NE(labels.err.find("rotate.y 9, key.exposure 1, rim.exposure 2: cpu"), std::string::npos)
       << labels.err;
   EXPECT_NE(labels.err.find(", 1 pass in "), std::string::npos) << labels.err;
+  EXPECT_EQ(run({"render", "sphere", "--vary", "medium.albedo=0.3", "--vary", "medium.albedo=0.6", "--sheet",
+                 "v.png"})
+                .err,
+            "plinian: error: --vary medium.albedo: is varied twice; give all its values at once\n");
+  EXPECT_EQ(run({"render", "sphere", "--vary", "medium.albedo=0.3", "--sheet", "v.png", "-o", "o.png"}).err,
+            "plinian: error: --output: variants go on the sheet, v.png: leave it out\n");
+  // A picture is labelled by what it shows.
+  const Ended limited = render({"sphere", "--vary", "medium.g=0.5,2", "--sheet", "v.png"});
+  EXPECT_NE(limited.err.find("note: g 0.5: cpu"), std::string::npos) << limited.err;
+  EXPECT_NE(limited.err.find("(asked: 2): cpu"), std::string::npos) << limited.err;
 }
 
 TEST_F(Program, ASceneSaysWhatAnOptionForAVolumeMeantAndWhatHasNoSettings) {

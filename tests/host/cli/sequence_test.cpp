@@ -108,16 +108,79 @@ TEST_F(Program, AMissingFrameIsToldOrRefused) {
   const std::vector<std::string> arguments = {
       "render", "a.#.vdb", "--frames", "2",        "-o", "a.#.png", "--renderer",
       "cpu",    "--size",  "8x8",      "--passes", "1",  "--set",   "map.resolution=16"};
-  const Ended blank = run(arguments);
-  EXPECT_EQ(blank.code, 0) << blank.err;
-  EXPECT_NE(blank.err.find("warning: medium_file: frame 2 is missing"), std::string::npos) << blank.err;
-  std::vector<std::string> strict = arguments;
-  strict.insert(strict.end(), {"--set", "medium_file.missing=error"});
-  const Ended refused = run(strict);
+  const std::string drawn_without =
+      "error: drawn without a file that is missing or cannot be read: frames 2; --set "
+      "medium_file.missing=hold fills such places with the frame before\n";
+  // Again where the picture is there already: it is as empty as before.
+  for (int i = 0; i < 2; ++i) {
+    const Ended blank = run(arguments);
+    EXPECT_EQ(blank.code, 1) << blank.err;
+    EXPECT_NE(blank.err.find("warning: medium_file: frame 2 is missing"), std::string::npos) << blank.err;
+    EXPECT_NE(blank.err.find(drawn_without), std::string::npos) << blank.err;
+  }
+  const auto with = [&](const char* what) {
+    std::vector<std::string> more = arguments;
+    more.insert(more.end(), {"--set", what});
+    return run(more);
+  };
+  const Ended refused = with("medium_file.missing=error");
   EXPECT_EQ(refused.code, 1);
   EXPECT_NE(refused.err.find("a.2.vdb: no such file"), std::string::npos) << refused.err;
+  const Ended held = with("medium_file.missing=hold");
+  EXPECT_EQ(held.code, 0) << held.err;
+  EXPECT_NE(held.err.find("warning: medium_file: frame 2 is missing"), std::string::npos) << held.err;
   EXPECT_EQ(run({"render", "a.#.vdb", "--frames", "3-1"}).err,
             "plinian: error: --frames 3-1: the last frame comes before the first; --frames 1-3\n");
+}
+
+// A farm wants the frames that there can be, and to hear of the others.
+TEST_F(Program, FramesThatFailAreListedAndTheOthersMade) {
+  ASSERT_EQ(run({"make", "ash", "-o", "a.1.vdb", "--resolution", "16"}).code, 0);
+  for (const char* copy : {"a.3.vdb", "a.7.vdb"}) fs::copy_file(folder_ / "a.1.vdb", folder_ / copy);
+  folder_.write("a.6.vdb", "broken");
+  const auto frames = [&](const std::string& missing) {
+    return run({"render", "a.#.vdb", "--frames", "1-7", "-o", missing + ".#.png", "--renderer", "cpu",
+                "--size", "8x8", "--passes", "2", "--set", "map.resolution=16", "--set",
+                "medium_file.missing=" + missing, "--json"});
+  };
+  const Ended strict = frames("error");
+  EXPECT_EQ(strict.code, 1) << strict.err;
+  const json failed = json::parse(strict.out);
+  EXPECT_EQ(failed["failed"], json({2, 4, 5, 6}));
+  EXPECT_EQ(failed["incomplete"], json::array());
+  EXPECT_EQ(failed["made"], 3);
+  EXPECT_NE(failed["frames"][1]["error"].get<std::string>().find("a.2.vdb: no such file"), std::string::npos);
+  EXPECT_NE(strict.err.find("plinian: error: frame 2: "), std::string::npos) << strict.err;
+  EXPECT_NE(strict.err.find("plinian: error: no picture of frames 2, 4-6\n"), std::string::npos)
+      << strict.err;
+  EXPECT_FALSE(fs::exists(folder_ / "error.2.png"));
+  EXPECT_TRUE(fs::exists(folder_ / "error.7.png"));
+
+  const Ended blank = frames("blank");
+  EXPECT_EQ(blank.code, 1) << blank.err;
+  const json holes = json::parse(blank.out);
+  EXPECT_EQ(holes["incomplete"], json({2, 4, 5, 6}));
+  EXPECT_EQ(holes["failed"], json::array());
+  EXPECT_EQ(holes["made"], 7);
+  EXPECT_EQ(holes["frames"][1]["missing"], json({"medium_file: frame 2 is missing"}));
+  EXPECT_FALSE(holes["frames"][2].contains("missing"));
+  EXPECT_EQ(holes["frames"][0]["passes"], 2);
+  EXPECT_EQ(holes["frames"][1]["passes"], 0) << "nothing was marched";
+}
+
+TEST_F(Program, FramesOfOneFileOfASequenceAreQuestioned) {
+  ASSERT_EQ(run({"make", "ash", "-o", "a_001.vdb", "--resolution", "16"}).code, 0);
+  const auto frames = [&] {
+    return run({"render", "a_001.vdb", "--frames", "1-2", "-o", "b.#.png", "--renderer", "cpu", "--size",
+                "8x8", "--passes", "1", "--set", "map.resolution=16"})
+        .err;
+  };
+  EXPECT_EQ(frames().find("is one file"), std::string::npos) << "there is no sequence";
+  fs::copy_file(folder_ / "a_001.vdb", folder_ / "a_002.vdb");
+  const std::string told = frames();
+  EXPECT_NE(told.find("warning: a_001.vdb is one file, which every frame shows; the sequence is a_###.vdb\n"),
+            std::string::npos)
+      << told;
 }
 
 // What arrives late or breaks would else move the camera, and have all of them made again.
@@ -127,11 +190,13 @@ TEST_F(Program, FramesThatAreDoneStayAsTheyAreWhenOthersArriveOrBreak) {
   };
   make("ash", "a.1.vdb");
   make("ash", "a.2.vdb");
-  const auto frames = [&](const std::string& output) {
+  std::string told;
+  const auto frames = [&](const std::string& output, int code = 0) {
     const Ended ended =
         run({"render", "a.#.vdb", "--frames", "1-3", "-o", output, "--renderer", "cpu", "--size", "8x8",
              "--passes", "1", "--set", "map.resolution=16", "--set", "medium_file.after=blank", "--json"});
-    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(ended.code, code) << ended.err;
+    told = ended.err;
     return json::parse(ended.out);
   };
   const auto camera = [&](const std::string& file) {
@@ -144,11 +209,13 @@ TEST_F(Program, FramesThatAreDoneStayAsTheyAreWhenOthersArriveOrBreak) {
   EXPECT_EQ(late["made"], 1);
   EXPECT_EQ(late["skipped"], 2);
   EXPECT_EQ(camera("k.3.exr"), before);
+  EXPECT_NE(told.find("note: camera, density scale (medium "), std::string::npos) << told;
   frames("new.#.exr");
   EXPECT_NE(camera("new.1.exr"), before) << "without pictures it is placed by what there is";
   // One that breaks says nothing, and no other is made again.
   folder_.write("a.2.vdb", "broken");
-  const json broken = frames("k.#.exr");
+  const json broken = frames("k.#.exr", 1);
+  EXPECT_EQ(broken["incomplete"], json({2}));
   EXPECT_EQ(broken["made"], 1);
   EXPECT_EQ(broken["skipped"], 2);
   EXPECT_EQ(camera("k.2.exr"), before);

@@ -21,6 +21,16 @@ TEST(TransformNode, AScaleOfZeroHasNoInverseAndSaysSo) {
   EXPECT_EQ(s.refusal("setAttr t.translate 1 2"), "t.translate expects 3 values, one for each of its parts");
 }
 
+TEST(TransformNode, NamesThatMayaHasForItsPartsAreUnderstood) {
+  NodeSession s;
+  s.run("createNode transform -name t");
+  for (const auto& [name, meant] :
+       {std::pair("translateX", "translate.x"), {"ry", "rotate.y"}, {"sz", "scale.z"}})
+    EXPECT_EQ(
+        s.refusal(std::string("setAttr t.") + name + " 1"),
+        std::string("node 't' (transform) has no attribute '") + name + "' (did you mean '" + meant + "'?)");
+}
+
 TEST(TransformNode, ItsPartsAreKeyedTogether) {
   NodeSession s;
   s.run(

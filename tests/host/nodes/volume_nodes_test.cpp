@@ -58,7 +58,9 @@ TEST_F(Sequence, ShowsTheFrameOfTheTimeAndHoldsItsEnds) {
 TEST_F(Sequence, AMissingFrameIsBlankWithABadgeOrHeldOrAnError) {
   EXPECT_EQ(at(3), 0.0f);
   EXPECT_EQ(s.run("getAttr r.badge"), "\"frame 3 is missing\"");
-  EXPECT_EQ(s.run("currentTime 2\ngetAttr r.badge"), "2\n\"\"");
+  EXPECT_EQ(s.run("getAttr r.frame_missing"), "true");
+  EXPECT_EQ(s.run("currentTime 2\ngetAttr r.badge\ngetAttr r.frame_missing"), "2\n\"\"\nfalse");
+  EXPECT_EQ(s.run("currentTime 99\ngetAttr r.frame_missing"), "99\nfalse") << "held as it should be";
   s.run("setAttr r.missing hold");
   EXPECT_EQ(at(3), 2.0f);
   EXPECT_EQ(s.run("getAttr r.badge"), "\"frame 3 is missing\"");

@@ -15,7 +15,7 @@ TEST(Graph, NamesAreUniqueAndTheLowestFreeNumberIsTaken) {
   scene.editor.delete_nodes({first});
   EXPECT_EQ(scene.graph.find(scene.create("sum", "sum2"))->name, "sum1");
   EXPECT_EQ(message_of([&] { scene.create("sum", "2x"); }),
-            "'2x' cannot name a node: letters, digits and _, with ':' after a namespace");
+            "'2x' cannot name a node: a letter or _, then letters, digits and _, with ':' after a namespace");
 }
 
 TEST(Graph, PlugsHaveNamesWithElementsAndComponents) {

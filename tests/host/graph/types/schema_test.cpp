@@ -43,7 +43,7 @@ TEST(Schema, GivesANodeAttributesOfItsOwn) {
 
 TEST(Schema, RefusesDeclarationsThatContradictThemselves) {
   const auto message = [](AttributeSpec spec) { return message_of([&] { Schema({spec}); }); };
-  EXPECT_EQ(message(number("a b")), "attribute 'a b': a name is made of letters, digits and _");
+  EXPECT_EQ(message(number("a b")), "attribute 'a b': a name is a letter or _, then letters, digits and _");
   EXPECT_EQ(message(number("a", {"out"})), "attribute 'a' affects 'out', which is no output");
   EXPECT_EQ(message({.name = "a", .type = AttributeType::choice}), "attribute 'a': an enum needs choices");
   EXPECT_EQ(message({.name = "a", .default_value = 2.0, .maximum = 1.0}),
