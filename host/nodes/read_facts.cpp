@@ -13,6 +13,9 @@ std::string replaced(std::string text, bool to_node) {
       {"--frustum", "attribute frustum"},
       {"--grid", "attribute grid"},
       {"--temperature-grid", "attribute temperature_grid"},
+      {"--up-axis", "attribute up_axis"},
+      {"--file-unit", "attribute file_unit"},
+      {"--density-scale", "attribute density_scale"},
       {"--vdb-time-limit", "attribute time_limit"},
       {"--vdb-memory-limit", "attribute memory_limit"}};
   for (const auto& [option, attribute] : names) {

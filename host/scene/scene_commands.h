@@ -9,6 +9,8 @@ namespace plinian::scene {
 void add_preset_commands(Workspace& workspace);
 /// quality, isolate, frameView, snapshot.
 void add_view_commands(Workspace& workspace);
+/// parent, which keeps nodes where they are in the world.
+void extend_parent_command(Workspace& workspace);
 /// loadReference.
 void add_reference_commands(Workspace& workspace);
 

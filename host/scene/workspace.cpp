@@ -27,6 +27,7 @@ Workspace::Workspace(std::vector<std::filesystem::path> folders) : plugins_(sess
   add_camera_importers(session_);
   add_preset_commands(*this);
   add_view_commands(*this);
+  extend_parent_command(*this);
   add_reference_commands(*this);
   session_.add_listener(this);
   try {

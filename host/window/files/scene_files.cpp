@@ -9,6 +9,7 @@
 #include "core/scene/scene_file.h"
 #include "core/scene/scene_loader.h"
 #include "host/graph/files/scene_writer.h"
+#include "host/nodes/read_facts.h"
 #include "host/scene/import_description.h"
 
 namespace plinian::window {
@@ -65,13 +66,14 @@ bool SceneFiles::import_whole(const std::string& input) {
     scene::ImportOptions options;
     options.progress = [this](double share) { return commands_.tell_progress(share); };
     const scene::ImportReport report = scene::import_description(session(), describe_input(input), options);
-    for (const std::string& line : report.notes) console_.add(LineKind::note, line);
-    for (const std::string& line : report.warnings) console_.add(LineKind::warning, line);
+    for (const std::string& line : report.notes) console_.add(LineKind::note, nodes::advice_for_node(line));
+    for (const std::string& line : report.warnings)
+      console_.add(LineKind::warning, nodes::advice_for_node(line));
     done = true;
   } catch (const SceneLoadCancelled&) {
     console_.add(LineKind::note, input + ": cancelled");
   } catch (const std::exception& error) {
-    console_.add(LineKind::error, error.what());
+    console_.add(LineKind::error, nodes::advice_for_node(error.what()));
   }
   commands_.muted = false;
   commands_.job = {};

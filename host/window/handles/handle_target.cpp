@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/scene/placement_angles.h"
 #include "host/graph/graph_error.h"
 #include "host/graph/model/hierarchy.h"
 #include "host/scene/placed.h"
-#include "host/window/handles/turned_angles.h"
 
 namespace plinian::window {
 

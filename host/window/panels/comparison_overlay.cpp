@@ -170,16 +170,21 @@ void ComparisonOverlay::show(Studio& studio, const PaneRect& pane, const PaneRec
   if (mode == CompareMode::side_by_side) draw_whole(other);
   if (mode == CompareMode::flicker && others_turn) draw_whole(picture);
   const vec2 corner(scaled(10), scaled(8));
-  if (mode == CompareMode::wipe || (mode == CompareMode::flicker && others_turn))
-    draw_text(picture.begin + corner, colour::text, comparison.name);
-  if (mode == CompareMode::side_by_side) draw_text(other.begin + corner, colour::text, comparison.name);
-  if (mode == CompareMode::flicker && !others_turn)
-    draw_text(picture.begin + corner, colour::faint_text, "now");
+  const bool is_now = mode == CompareMode::flicker && !others_turn;
+  const bool is_named =
+      mode == CompareMode::wipe || mode == CompareMode::side_by_side || mode == CompareMode::flicker;
+  const std::string label = !is_named ? "" : is_now ? "now" : comparison.name;
+  const vec2 label_at = (mode == CompareMode::side_by_side ? other.begin : picture.begin) + corner;
+  if (is_named) draw_text(label_at, is_now ? colour::faint_text : colour::text, label);
+  const float label_end = label_at.x + ImGui::CalcTextSize(label.c_str()).x + corner.x;
+  const float row = ImGui::GetTextLineHeight() + scaled(3);
   vec2 at(pane.begin.x + pane.size.x - corner.x, pane.begin.y + corner.y);
   for (const std::string& line : comparison_lines(studio, shown)) {
     const float width = ImGui::CalcTextSize(line.c_str()).x;
+    // In a narrow pane the lines come below the label.
+    if (is_named && at.x - width < label_end && std::abs(at.y - label_at.y) < row) at.y = label_at.y + row;
     draw_text({std::max(pane.begin.x + corner.x, at.x - width), at.y}, colour::text, line);
-    at.y += ImGui::GetTextLineHeight() + scaled(3);
+    at.y += row;
   }
 }
 

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 
 #include "host/graph/model/conversion.h"
 #include "host/graph/model/hierarchy.h"
@@ -36,6 +37,30 @@ void show_badge(Studio& studio, const graph::Node& node, const NodeFailure& fail
   list.AddCircleFilled(middle, radius, failure.blocked ? colour::warning : colour::error, 20);
   list.AddText({std::round(middle.x - size.x / 2), std::round(middle.y - size.y / 2)}, 0xff1a1a1a, "!");
   studio.trace.item("failed " + node.name, vec2(middle.x, middle.y) - radius, vec2(2.0f * radius));
+}
+
+constexpr const char* dragged_node = "node";  // what a drag carries: a NodeId
+
+// The last widget takes nodes that are dragged to it, to stand under a transform or at the top.
+void take_dragged(Studio& studio, const std::string& parent) {
+  if (!ImGui::BeginDragDropTarget()) return;
+  if (const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(dragged_node)) {
+    graph::NodeId id;
+    std::memcpy(&id, payload->Data, sizeof id);
+    if (const graph::Node* node = studio.session().graph().find(id))
+      studio.run(parent.empty() ? "parent -world " + node->name : "parent " + node->name + " " + parent);
+  }
+  ImGui::EndDragDropTarget();
+}
+
+// The last widget, a row of the tree, can be dragged to another.
+void drag_and_drop(Studio& studio, const graph::Node& node) {
+  if (ImGui::BeginDragDropSource(ImGuiDragDropFlags_SourceNoHoldToOpenOthers)) {
+    ImGui::SetDragDropPayload(dragged_node, &node.id, sizeof node.id);
+    ImGui::Text("%s: drop it on a transform, or below at the top", node.name.c_str());
+    ImGui::EndDragDropSource();
+  }
+  if (node.type->spec().holds_children) take_dragged(studio, node.name);
 }
 
 }  // namespace
@@ -70,6 +95,7 @@ void OutlinerPanel::show_node(Studio& studio, const graph::Node& node, bool tree
                                           ImGuiTreeNodeFlags_NoTreePushOnOpen);
     studio.trace.item("node " + node.name, vec2(at.x, at.y), vec2(scaled(120), ImGui::GetFrameHeight()));
     if (ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen()) select(studio, node);
+    if (tree) drag_and_drop(studio, node);
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) {
       renamed_ = node.id;
       focus_ = true;
@@ -127,9 +153,11 @@ void OutlinerPanel::show(Studio& studio, const PaneRect& pane) {
   ImGui::PopStyleVar();
   // The empty part beneath takes the selection away.
   const ImVec2 left = ImGui::GetContentRegionAvail();
-  if (left.y > 4.0f && ImGui::InvisibleButton("##nothing", {std::max(left.x, 1.0f), left.y}) &&
-      !graph.selection().empty())
-    studio.run("select -clear");
+  if (left.y > 4.0f) {
+    if (ImGui::InvisibleButton("##nothing", {std::max(left.x, 1.0f), left.y}) && !graph.selection().empty())
+      studio.run("select -clear");
+    take_dragged(studio, "");
+  }
   end_pane();
 }
 

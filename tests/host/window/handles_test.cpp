@@ -9,7 +9,6 @@
 #include "host/window/handles/handle_drag.h"
 #include "host/window/handles/handle_math.h"
 #include "host/window/handles/plugin_handles.h"
-#include "host/window/handles/turned_angles.h"
 
 namespace plinian::window {
 namespace {
@@ -107,45 +106,6 @@ TEST(HandleMath, StepsAreRound) {
   EXPECT_DOUBLE_EQ(round_step(100.0), 100.0);
 }
 
-TEST(TurnedAngles, MakeTheRotationInEveryOrder) {
-  for (int order = 0; order < 6; ++order)
-    for (const dvec3& start : {dvec3(0), dvec3(30, -50, 110), dvec3(-170, 89, 20), dvec3(10, 90, -40),
-                               dvec3(90, 0, 0), dvec3(5, -20, -90)}) {
-      const dmat3 matrix(matrix_of({.rotate = start, .order = RotateOrder(order)}));
-      const dvec3 angles = angles_of(matrix, RotateOrder(order), start);
-      expect_near(angles, start, 1e-5);
-      const dvec3 axis = glm::normalize(dvec3(0.3, -0.5, 0.8));
-      const dmat3 after(matrix_of(
-          {.rotate = turned_angles(start, RotateOrder(order), axis, 73.0), .order = RotateOrder(order)}));
-      // Rodrigues' formula on each column.
-      for (int i = 0; i < 3; ++i) {
-        const double s = std::sin(glm::radians(73.0)), c = std::cos(glm::radians(73.0));
-        const dvec3 wanted =
-            matrix[i] * c + glm::cross(axis, matrix[i]) * s + axis * (glm::dot(axis, matrix[i]) * (1.0 - c));
-        expect_near(after[i], wanted, 1e-6);
-      }
-    }
-}
-
-TEST(TurnedAngles, SeveralTurnsCount) {
-  expect_near(turned_angles({5, 0, 0}, RotateOrder::xyz, {1, 0, 0}, 765.0), {770, 0, 0}, 1e-6);
-  // About its first axis, which is its own, one angle changes alone.
-  const dvec3 start(10, 40, 70);
-  const dvec3 own(matrix_of({.rotate = start})[0]);
-  expect_near(turned_angles(start, RotateOrder::xyz, own, -33.0), {-23, 40, 70}, 1e-6);
-  expect_near(turned_angles(start, RotateOrder::xyz, {0, 0, 1}, 25.0), {10, 40, 95}, 1e-6);
-}
-
-TEST(TurnedAngles, OfAStretchedSpaceTheTurnIsFound) {
-  const dmat3 rotation(rotation_xyz({20, 30, 40}));
-  dmat3 stretch(1.0);
-  stretch[0][0] = 4.0, stretch[1][1] = 0.5;
-  const dmat3 found = turning_part(rotation * stretch);
-  for (int i = 0; i < 3; ++i) expect_near(found[i], rotation[i], 1e-12);
-  stretch[2][2] = -3.0;
-  EXPECT_NEAR(glm::determinant(turning_part(rotation * stretch)), -1.0, 1e-12);
-}
-
 class Handles : public testing::Test {
  protected:
   void run(const std::string& line, const std::string& key = "") { session().execute(line, key); }
@@ -183,7 +143,7 @@ TEST_F(Handles, TranslateAlongTheWorldUnderATurnedMirroredUnevenParent) {
   run("setAttr above.rotate 30 40 50");
   run("setAttr above.scale 2 -0.5 3");
   run("createNode transform -name thing");
-  run("parent thing above");
+  run("parent -relative thing above");
   run("setAttr thing.translate 0.2 0.1 -0.3");
   run("select thing");
   const dvec3 before(world("thing")[3]);
@@ -244,7 +204,7 @@ TEST_F(Handles, TurnsInTheWorldUnderAMirroredParent) {
   run("setAttr above.rotate 10 20 30");
   run("setAttr above.scale -2 2 2");
   run("createNode transform -name thing");
-  run("parent thing above");
+  run("parent -relative thing above");
   run("setAttr thing.rotate_order yzx");
   run("setAttr thing.rotate 15 25 35");
   run("select thing");
@@ -269,7 +229,7 @@ TEST_F(Handles, APivotIsWhereItStaysAndIsTakenHoldOf) {
 
 TEST_F(Handles, SeveralMoveTogetherAndWhatIsUnderThemOnce) {
   for (const char* name : {"a", "b", "under"}) run(std::string("createNode transform -name ") + name);
-  run("parent under a");
+  run("parent -relative under a");
   run("setAttr b.translate 3 0 0");
   run("select under a b");
   ToolChoice choice;
@@ -289,9 +249,9 @@ TEST_F(Handles, SeveralMoveTogetherAndWhatIsUnderThemOnce) {
 TEST_F(Handles, OfAShapeThePlaceThatItIsUnderIsTaken) {
   run("createNode transform -name above");
   run("createNode transform -name place");
-  run("parent place above");
+  run("parent -relative place above");
   run("createNode atfmVolume -name shape");
-  run("parent shape place");
+  run("parent -relative shape place");
   run("select place shape");
   ToolChoice choice;
   choice.tool = Tool::translate;
@@ -324,7 +284,7 @@ TEST_F(Handles, WhatIsLockedOrDrivenSaysSoAndTheRestMoves) {
   EXPECT_EQ(problem(Tool::translate, Part::x), "none") << "a sun has no place";
   EXPECT_EQ(problem(Tool::rotate, Part::x), "");
   run("setAttr thing.scale 1 0 1");
-  run("parent key thing");
+  run("parent -relative key thing");
   EXPECT_NE(problem(Tool::rotate, Part::x), "") << "no space to turn in";
 }
 

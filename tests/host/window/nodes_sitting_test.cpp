@@ -127,5 +127,18 @@ TEST_F(NodesSitting, WhatFailsIsMarkedAndSoIsWhatItBlocks) {
   keep("nodes-failed.png");
 }
 
+TEST_F(NodesSitting, ARowOfTheOutlinerIsDraggedUnderATransformAndBackToTheTop) {
+  type("createNode transform -name rig");
+  type("setAttr rig.rotate 0 30 0");
+  expect_command("parent key rig",
+                 [&] { sitting_->drag(sitting_->middle("node key"), sitting_->middle("node rig")); });
+  keep("outliner-parented.png");
+  EXPECT_NE(saved("under.plinian").find("key under rig\n"), std::string::npos);
+  const ivec4 last = sitting_->item("node time1");
+  expect_command("parent -world key", [&] {
+    sitting_->drag(sitting_->middle("node key"), ivec2(last.x + 40, last.y + 3 * last.w));
+  });
+}
+
 }  // namespace
 }  // namespace plinian

@@ -1,9 +1,11 @@
-// Rotations under parents, and the angles that make them.
+// From matrices back to placements: rotations, and the angles that make them.
 #pragma once
+
+#include <optional>
 
 #include "core/scene/placement.h"
 
-namespace plinian::window {
+namespace plinian {
 
 /// The orthonormal matrix that is nearest to a regular one (its polar factor): how it turns, and mirrors,
 /// what it also stretches.
@@ -16,4 +18,13 @@ dvec3 angles_of(const dmat3& rotation, RotateOrder order, const dvec3& near);
 /// [degrees], against the clock seen from the tip of the axis. Several turns count as such.
 dvec3 turned_angles(const dvec3& start, RotateOrder order, const dvec3& axis, double turn);
 
-}  // namespace plinian::window
+/// The placement that makes a matrix, in the order and about the pivot of `like`, with the angles and signs
+/// of the scale that are nearest to its own. Numbers are rounded to 12 digits, so that they read well.
+struct FoundPlacement {
+  Placement placement;
+  bool sheared = false;  // the matrix also shears, which no placement does: this is the nearest one
+};
+/// Empty where the matrix squeezes a direction to nothing. parent_from_own: affine.
+std::optional<FoundPlacement> placement_of(const dmat4& parent_from_own, const Placement& like);
+
+}  // namespace plinian

@@ -1,11 +1,11 @@
 // Polar factor by Newton's iteration [Higham 1986]; angles of any order by its first and last axis.
-#include "host/window/handles/turned_angles.h"
+#include "core/scene/placement_angles.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-namespace plinian::window {
+namespace plinian {
 
 namespace {
 
@@ -19,6 +19,16 @@ dvec3 brought_near(dvec3 angles, const dvec3& near) {
 
 double distance(const dvec3& a, const dvec3& b) {
   return std::abs(a.x - b.x) + std::abs(a.y - b.y) + std::abs(a.z - b.z);
+}
+
+// Without what a matrix and its inverse leave behind the digits that are meant.
+dvec3 tidied(dvec3 v) {
+  const double size = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  if (!(size > 0.0)) return dvec3(0.0);
+  const int decimals = std::clamp(11 - int(std::floor(std::log10(size))), 0, 300);
+  const double unit = std::pow(10.0, decimals);
+  for (int i = 0; i < 3; ++i) v[i] = std::round(v[i] * unit) / unit + 0.0;  // no -0
+  return v;
 }
 
 }  // namespace
@@ -76,4 +86,32 @@ dvec3 turned_angles(const dvec3& start, RotateOrder order, const dvec3& axis, do
   return angles;
 }
 
-}  // namespace plinian::window
+std::optional<FoundPlacement> placement_of(const dmat4& parent_from_own, const Placement& like) {
+  const dmat3 m(parent_from_own);
+  dvec3 size(glm::length(m[0]), glm::length(m[1]), glm::length(m[2]));
+  const double volume = size.x * size.y * size.z, determinant = glm::determinant(m);
+  if (!(std::abs(determinant) > 1e-9 * volume)) return std::nullopt;
+  // Which axes are mirrored is a matter of choice, but whether an odd number of them is.
+  dvec3 sign(1.0);
+  for (int i = 0; i < 3; ++i) sign[i] = like.scale[i] < 0.0 ? -1.0 : 1.0;
+  if ((determinant < 0.0) != (sign.x * sign.y * sign.z < 0.0)) sign.x = -sign.x;
+  dmat3 axes = m;
+  double skew = 0.0;
+  for (int i = 0; i < 3; ++i) axes[i] *= sign[i] / size[i];
+  for (int i = 0; i < 3; ++i) skew = std::max(skew, std::abs(glm::dot(axes[i], axes[(i + 1) % 3])));
+  FoundPlacement found{like, skew > 1e-9};
+  if (found.sheared) {
+    for (int i = 0; i < 3; ++i) axes[i] *= size[i];
+    const dmat3 stretched = axes;
+    axes = turning_part(axes);
+    for (int i = 0; i < 3; ++i) size[i] = glm::dot(axes[i], stretched[i]);
+  }
+  Placement& placement = found.placement;
+  placement.scale = tidied(size * sign);
+  placement.rotate = tidied(angles_of(axes, like.order, like.rotate));
+  placement.translate = dvec3(0.0);
+  placement.translate = tidied(dvec3(parent_from_own[3]) - dvec3(matrix_of(placement)[3]));
+  return found;
+}
+
+}  // namespace plinian
