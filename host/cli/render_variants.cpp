@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/image/contact_sheet.h"
+#include "core/scene/nearest_word.h"
 #include "core/scene/scene_loader.h"
 #include "host/cli/command.h"
 #include "host/cli/console.h"
@@ -84,7 +85,7 @@ std::string settled_text(graph::Session& session, const std::string& key, const 
     const std::string text = session.execute("getAttr " + key).front();
     const auto is = number(text);
     if (is && std::abs(*is - *wanted) > 1e-5 * std::max(1.0, std::abs(*wanted)))
-      return fmt::format("{} (asked: {})", text, asked);
+      return fmt::format("{:.4g} (asked: {})", *is, asked);
   } catch (const graph::GraphError&) {
     // A key of the quality, or one that places a camera, is no attribute, and is refused beyond its limits.
   }

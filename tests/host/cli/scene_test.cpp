@@ -423,8 +423,8 @@ TEST_F(Program, VariationsAreReadWordByWord) {
             "plinian: error: --output: variants go on the sheet, v.png: leave it out\n");
   // A picture is labelled by what it shows.
   const Ended limited = render({"sphere", "--vary", "medium.g=0.5,2", "--sheet", "v.png"});
-  EXPECT_NE(limited.err.find("note: g 0.5: cpu"), std::string::npos) << limited.err;
-  EXPECT_NE(limited.err.find("(asked: 2): cpu"), std::string::npos) << limited.err;
+  EXPECT_NE(limited.err.find("medium.g 0.5: cpu"), std::string::npos) << limited.err;
+  EXPECT_NE(limited.err.find("medium.g 1 (asked: 2): cpu"), std::string::npos) << limited.err;
 }
 
 TEST_F(Program, ASceneSaysWhatAnOptionForAVolumeMeantAndWhatHasNoSettings) {

@@ -209,7 +209,7 @@ TEST_F(Program, FramesThatAreDoneStayAsTheyAreWhenOthersArriveOrBreak) {
   EXPECT_EQ(late["made"], 1);
   EXPECT_EQ(late["skipped"], 2);
   EXPECT_EQ(camera("k.3.exr"), before);
-  EXPECT_NE(told.find("note: camera, density scale (medium "), std::string::npos) << told;
+  EXPECT_NE(told.find("camera, density scale (medium "), std::string::npos) << told;
   frames("new.#.exr");
   EXPECT_NE(camera("new.1.exr"), before) << "without pictures it is placed by what there is";
   // One that breaks says nothing, and no other is made again.
