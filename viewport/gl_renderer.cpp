@@ -261,10 +261,19 @@ void GlRenderer::make_context_again() {
 Frame GlRenderer::render_once(const SceneSnapshot& scene, const Passes& passes, const Progress& progress) {
   if (context_lost()) throw ContextLost();
   const FlatScene whole = flatten(scene);
+  stats_.begin_picture();
+  if (whole.media.empty()) {
+    // Nothing of the scene before is kept: it may be large, and is not known to come again.
+    if (gpu_) {
+      gpu_->volumes.clear();
+      gpu_->batches.clear();
+      gpu_->exact_batches.clear();
+    }
+    stats_.volume_bytes = stats_.map_bytes = 0;
+    return empty_frame(scene);
+  }
   if (gpu_)
     for (BatchState& batch : gpu_->batches) batch.light_count = 0;
-  stats_.begin_picture();
-  if (whole.media.empty()) return empty_frame(scene);
   if (!gpu_) gpu_.emplace();
   const auto textures = upload(whole);
   const PixelBox box = media_pixels(whole, scene.camera, scene.width, scene.height);

@@ -89,7 +89,13 @@ void MapRenderer::build_maps(FlatScene& flat, BatchMaps& maps, const Progress& p
 Frame MapRenderer::render(const SceneSnapshot& scene, const Passes& passes, const Progress& progress) {
   const FlatScene whole = flatten(scene);
   stats_.begin_picture();
-  if (whole.media.empty()) return empty_frame(scene);
+  if (whole.media.empty()) {
+    // Nothing of the scene before is kept: it may be large, and is not known to come again.
+    batches_.clear();
+    volumes_.clear();
+    stats_.map_bytes = stats_.volume_bytes = 0;
+    return empty_frame(scene);
+  }
   const auto start = Clock::now();
   const double cpu_start = processor_milliseconds();
   std::vector<FlatScene> batches = light_batches(whole);

@@ -12,6 +12,7 @@
 #include <array>
 #include <cfloat>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <utility>
 
@@ -66,12 +67,38 @@ GLFWwindow* make_window(const std::string& title, ivec2 size) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
   // Not every driver can tell of a reset.
   for (const int robustness : {GLFW_LOSE_CONTEXT_ON_RESET, GLFW_NO_ROBUSTNESS}) {
     glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, robustness);
     if (GLFWwindow* window = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr)) return window;
   }
   throw NoDisplay("no window with OpenGL 4.5 can be opened: " + Desktop::last_error());
+}
+
+// A driver compiles a program for each kind of texture and filter when it is first drawn with, llvmpipe for a
+// tenth of a second: here for those of text and of pictures, where nobody waits for an answer yet.
+void draw_once() {
+  const ivec2 size(5, 3);  // as odd as pictures are
+  unsigned textures[2];
+  glCreateTextures(GL_TEXTURE_2D, 2, textures);
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplGlfw_NewFrame();
+  ImGui::NewFrame();
+  ImDrawList& list = *ImGui::GetForegroundDrawList();
+  list.AddText({9, 9}, 0xffffffff, "Plinian");
+  for (int i = 0; i < 2; ++i) {
+    glTextureStorage2D(textures[i], 1, GL_RGB8, size.x, size.y);
+    glTextureParameteri(textures[i], GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(textures[i], GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    for (const unsigned which : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+      glTextureParameteri(textures[i], which, i == 0 ? GL_NEAREST : GL_LINEAR);
+    list.AddImage(ImTextureID(std::intptr_t(textures[i])), {9, 9}, {40, 40});
+  }
+  ImGui::Render();
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  glFinish();
+  glDeleteTextures(2, textures);
 }
 
 }  // namespace
@@ -141,7 +168,8 @@ MainWindow::MainWindow(const std::string& title, ivec2 size) : events_(std::make
   ImGui_ImplGlfw_InitForOpenGL(window, false);
   ImGui_ImplOpenGL3_Init("#version 330 core");
   set_theme(scale_);
-  ImGui_ImplOpenGL3_CreateDeviceObjects();  // now: whoever sees the window must not wait for them
+  draw_once();
+  glfwShowWindow(window);
 }
 
 MainWindow::~MainWindow() {

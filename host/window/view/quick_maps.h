@@ -20,7 +20,7 @@ class QuickMaps {
   /// What was rendered: the renderer holds its maps now, or older ones that serve.
   void rendered(const SceneSnapshot& scene);
   /// The renderer holds nothing, or nobody knows what.
-  void forget() { held_.clear(); }
+  void forget() { *this = {}; }
 
  private:
   SceneSnapshot held_scene_;  // keeps the volumes that the keys tell apart by address

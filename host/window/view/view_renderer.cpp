@@ -61,6 +61,14 @@ void ViewRenderer::ask(ViewRequest request) {
   news_.notify_all();
 }
 
+void ViewRenderer::tidy() {
+  {
+    const std::lock_guard lock(mutex_);
+    is_tidy_ = false;
+  }
+  news_.notify_all();
+}
+
 ViewPicturePtr ViewRenderer::picture() const {
   const std::lock_guard lock(mutex_);
   return picture_;
@@ -187,7 +195,9 @@ class ViewRenderer::Thread {
       if (passes.on_mean) passes.on_mean(done, mean);
     };
     try {
-      return renderer_->render(scene, told, progress);
+      Frame frame = renderer_->render(scene, told, progress);
+      if (!maps_there) quick_maps_.forget();  // there is nothing in the scene
+      return frame;
     } catch (...) {
       if (!maps_there) quick_maps_.forget();
       throw;
@@ -249,7 +259,6 @@ void ViewRenderer::run() {
   Thread thread(*this);
   // The planes of pictures are kept for the next ones (see main.cpp). Where none follows, they go back.
   constexpr std::chrono::seconds rest(2);
-  bool is_tidy = true;
   for (;;) {
     ViewRequest request;
     {
@@ -259,14 +268,17 @@ void ViewRenderer::run() {
       wake_();
       lock.lock();
       const auto is_news = [&] { return stopping_ || waiting_; };
-      if (!is_tidy && !news_.wait_for(lock, rest, is_news)) {
-        lock.unlock();
-        malloc_trim(0);
-        is_tidy = true;
-        lock.lock();
+      while (!is_news()) {
+        if (is_tidy_) {
+          news_.wait(lock);
+        } else if (!news_.wait_for(lock, rest, is_news)) {
+          is_tidy_ = true;
+          lock.unlock();
+          malloc_trim(0);
+          lock.lock();
+        }
       }
-      news_.wait(lock, is_news);
-      is_tidy = false;
+      is_tidy_ = false;
       if (stopping_) return;
       request = std::move(*waiting_);
       waiting_.reset();
