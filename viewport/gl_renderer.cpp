@@ -58,6 +58,11 @@ struct GpuState {
   passes::ViewPass view_pass;
   std::vector<BatchState> batches;        // map-based passes
   std::vector<BatchState> exact_batches;  // passes that march to the light: sums only
+
+  void end_picture() {
+    map_pass.end_picture();
+    view_pass.end_picture();
+  }
 };
 
 class GlRenderer final : public Renderer {
@@ -268,6 +273,7 @@ Frame GlRenderer::render_once(const SceneSnapshot& scene, const Passes& passes, 
       gpu_->volumes.clear();
       gpu_->batches.clear();
       gpu_->exact_batches.clear();
+      gpu_->end_picture();
     }
     stats_.volume_bytes = stats_.map_bytes = 0;
     return empty_frame(scene);
@@ -358,6 +364,7 @@ Frame GlRenderer::render_once(const SceneSnapshot& scene, const Passes& passes, 
   if (context_lost()) throw ContextLost();
 
   Frame frame = gather(pass);
+  gpu_->end_picture();
   gl::check_errors("a frame");
   stats_.passes = pass;
   stats_.rest_change = refinement.rest_change();

@@ -1,4 +1,4 @@
-// Programs of a pass: kept while they are used, and no more than so many.
+// Programs of a pass: kept while they are used, and a few beside them.
 #include "viewport/passes/program_cache.h"
 
 #include <epoxy/gl.h>
@@ -21,20 +21,27 @@ gl::Defines defines_for(int coefficients) {
           {"LIGHT_MARCH_DEPTH", "5.0"}};
 }
 
-TEST(ProgramCache, KeepsThoseThatAreUsedAndLetsTheOthersGo) {
+TEST(ProgramCache, KeepsThoseOfTheLastPictureAndAFewMore) {
   const gl::EglContext context;
-  ProgramCache cache("viewport/passes/map_pass.comp", 3);
-  const unsigned six = cache.get(defines_for(6)).program.name();
+  ProgramCache cache("viewport/passes/map_pass.comp", 2);
+  const auto name = [&](int coefficients) { return cache.get(defines_for(coefficients)).program.name(); };
+  const unsigned six = name(6), seven = name(7);
   EXPECT_NE(six, 0u);
-  EXPECT_EQ(cache.get(defines_for(6)).program.name(), six);
-  const unsigned seven = cache.get(defines_for(7)).program.name();
-  for (int coefficients = 8; coefficients < 12; ++coefficients) {
-    cache.get(defines_for(coefficients));
-    EXPECT_EQ(cache.get(defines_for(6)).program.name(), six) << "it is used again and again";
-  }
+  EXPECT_EQ(name(6), six);
+  // However many one picture takes, all of them are there until it is done.
+  for (int coefficients = 8; coefficients < 12; ++coefficients) name(coefficients);
+  EXPECT_EQ(name(7), seven);
+  EXPECT_EQ(cache.size(), 6u);
+  cache.end_picture();
+  EXPECT_EQ(cache.size(), 6u) << "it used them all";
+  EXPECT_EQ(name(6), six);
+  cache.end_picture();
   EXPECT_EQ(cache.size(), 3u);
+  EXPECT_EQ(name(7), seven) << "of the others it was used last";
   EXPECT_TRUE(glIsProgram(six));
-  EXPECT_FALSE(glIsProgram(seven)) << "it is not";
+  cache.end_picture();
+  cache.end_picture();
+  EXPECT_EQ(cache.size(), 2u) << "of an empty picture";
 }
 
 }  // namespace

@@ -15,6 +15,8 @@ class MapPass {
   /// enough for a GPU's watchdog. `go_on` is asked between tiles; returns false where it said no.
   bool build(const SceneBlocks& blocks, const FlatScene& scene, int map, const gl::TexelBuffer& texels,
              const std::function<bool()>& go_on);
+  /// To be called behind the last pass of a picture: see ProgramCache.
+  void end_picture() { programs_.end_picture(); }
 
  private:
   ProgramCache programs_{"viewport/passes/map_pass.comp"};

@@ -1,11 +1,10 @@
-// The programs of a pass, one for each set of defines that a scene asked for. Those that were not used for
-// longest are let go of: whoever tries out media, lights and encodings for a day would keep them all, and in
-// llvmpipe one takes about two MiB.
+// The programs of a pass, one for each set of defines that a scene asked for. Beside those of the last picture
+// only a few are kept: whoever tries out media, lights and encodings for a day would keep them all, and in
+// llvmpipe one takes two MiB and more.
 #pragma once
 
 #include <list>
 #include <string>
-#include <utility>
 
 #include "viewport/gl/shader.h"
 #include "viewport/passes/paced_tiles.h"
@@ -14,17 +13,27 @@ namespace plinian::passes {
 
 class ProgramCache {
  public:
-  /// shader: path of the file, as for make_compute_program().
-  explicit ProgramCache(std::string shader, std::size_t most = 6) : shader_(std::move(shader)), most_(most) {}
+  /// shader: path of the file, as for make_compute_program(). spare: how many that a picture did not use
+  /// outlive it, for going back and forth between two kinds of picture.
+  explicit ProgramCache(std::string shader, std::size_t spare = 3)
+      : shader_(std::move(shader)), spare_(spare) {}
 
-  /// Made where it is not there; valid until the next call. Throws as make_compute_program() does.
+  /// Made where it is not there; valid until the end of the picture. Throws as make_compute_program() does.
   PacedProgram& get(const gl::Defines& defines);
-  std::size_t size() const { return programs_.size(); }
+  /// Lets go of those that were not used for longest.
+  void end_picture();
+  std::size_t size() const { return entries_.size(); }
 
  private:
+  struct Entry {
+    gl::Defines defines;
+    PacedProgram program;
+    bool used = true;  // by the picture under way
+  };
+
   std::string shader_;
-  std::size_t most_;
-  std::list<std::pair<gl::Defines, PacedProgram>> programs_;  // used last first
+  std::size_t spare_;
+  std::list<Entry> entries_;  // used last first
 };
 
 }  // namespace plinian::passes

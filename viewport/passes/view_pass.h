@@ -30,6 +30,8 @@ class ViewPass {
   bool render(const SceneBlocks& blocks, const FlatScene& flat, const SceneSnapshot& scene,
               const gl::TexelBuffer& maps, int pass, bool first, PixelBox box, const gl::Texture& sums,
               const std::function<bool()>& go_on);
+  /// To be called behind the last pass of a picture: see ProgramCache.
+  void end_picture() { programs_.end_picture(); }
 
  private:
   ProgramCache programs_{"viewport/passes/view.comp"};
