@@ -36,10 +36,14 @@ std::optional<std::string> nearest_word(std::string_view word, const std::vector
   int best_distance = 0;
   for (const std::string& candidate : candidates) {
     const std::string known = lower(candidate);
-    int distance = edit_distance(wanted, known);
-    if (wanted.size() >= 3 && known.starts_with(wanted)) distance = std::min(distance, 1);
-    const int allowed = std::max<int>(1, int(std::max(known.size(), wanted.size())) / 3);
-    if (distance <= allowed && (!best || distance < best_distance)) {
+    const bool begins = wanted.size() >= 3 && known.starts_with(wanted);
+    const std::size_t longer = std::max(known.size(), wanted.size()),
+                      shorter = std::min(known.size(), wanted.size());
+    const std::size_t allowed = std::max<std::size_t>(1, longer / 3);
+    // So many letters are too many or missing at least; of a word of megabytes nothing else is asked.
+    if (!begins && longer - shorter > allowed) continue;
+    const int distance = begins ? std::min(1, int(longer - shorter)) : edit_distance(wanted, known);
+    if (std::size_t(distance) <= allowed && (!best || distance < best_distance)) {
       best = candidate;
       best_distance = distance;
     }

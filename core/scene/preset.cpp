@@ -51,11 +51,19 @@ int checked_minor(const json& file, const std::string& path) {
 std::string find_preset(const std::string& name, const std::vector<std::string>& folders,
                         const std::string& not_this) {
   if (name.find('/') != std::string::npos || name.ends_with(".json")) return name;
+  bool is_itself = false;
   for (const std::string& folder : folders) {
     const fs::path path = fs::path(folder) / (name + ".json");
     std::error_code error;
-    if (path.string() != not_this && fs::is_regular_file(path, error)) return path.string();
+    if (path.string() == not_this)
+      is_itself = true;
+    else if (fs::is_regular_file(path, error))
+      return path.string();
   }
+  if (is_itself)
+    throw std::runtime_error(
+        fmt::format("{}: base: {} is this preset itself; name another one, or leave the base out for fast",
+                    not_this, name));
   const auto names = preset_names(folders);
   throw std::runtime_error(fmt::format(
       "{}{}: no such preset{}; there are: {}", not_this.empty() ? "" : not_this + ": base: ", name,
@@ -97,13 +105,13 @@ Preset load(const std::string& name_or_path, const std::vector<std::string>& fol
 
   Quality own;  // only what the file gives is read from it
   std::string base = "fast";
-  std::string name = fs::path(path).stem().string();
   for (const auto& [key, value] : file.items()) {
     const std::string where = path + ": " + key;
     if (key.starts_with('_') || key == "plinian_preset") continue;
     if (key == "name" || key == "base") {
       if (!value.is_string()) throw std::runtime_error(where + ": expected a text, got " + short_text(value));
-      (key == "name" ? name : base) = value.get<std::string>();
+      // A file is known by its name in the folder: copies keep what the original says inside.
+      if (key == "base") base = value.get<std::string>();
       continue;
     }
     if (!objects.contains(key)) {
@@ -134,7 +142,7 @@ Preset load(const std::string& name_or_path, const std::vector<std::string>& fol
   }
   for (const auto& parameter : table)
     if (given.contains(parameter.spec.name)) parameter.set(preset.quality, *parameter.get(own));
-  preset.quality.name = name;
+  preset.quality.name = fs::path(path).stem().string();
   return preset;
 }
 

@@ -18,6 +18,7 @@
 #include "host/cli/console.h"
 #include "host/cli/interruption.h"
 #include "host/cli/progress.h"
+#include "host/cli/reader_badges.h"
 #include "host/graph/graph_error.h"
 #include "host/graph/model/conversion.h"
 #include "host/graph/values/file_path.h"
@@ -228,32 +229,9 @@ void import_input(PreparedScene& scene, const SceneArguments& arguments) {
   scene.seed = report.seed;
 }
 
-std::vector<const graph::Node*> readers_of(const graph::Graph& graph) {
-  std::vector<const graph::Node*> readers;
-  for (const graph::Node* node : graph.nodes())
-    if (node->type->name() == "volumeRead" && !node->type->is_unknown()) readers.push_back(node);
-  return readers;
-}
-
-// An output's value; empty where it failed.
-std::optional<graph::Value> output_of(graph::Session& session, const graph::Node& node, const char* output) {
-  const graph::ResultPtr result = session.evaluator().evaluate(session.graph().plug(node, output));
-  return result->error ? std::nullopt : std::optional(result->value);
-}
-
-// What a reader says of what it shows; empty: nothing.
-std::string badge_line(graph::Session& session, const graph::Node& reader) {
-  const auto badge = output_of(session, reader, "badge");
-  if (!badge || std::get<std::string>(*badge).empty()) return "";
-  return reader.name + ": " + std::get<std::string>(*badge);
-}
-
 // What is shown in place of frames that are missing; once, where it is the same for many.
 void tell_badges(PreparedScene& scene) {
-  graph::Session& session = scene.workspace->session();
-  for (const graph::Node* node : readers_of(session.graph())) {
-    const std::string line = badge_line(session, *node);
-    if (line.empty()) continue;
+  for (const std::string& line : reader_badges(scene.workspace->session())) {
     if (std::find(scene.warnings.begin(), scene.warnings.end(), line) != scene.warnings.end()) continue;
     scene.warnings.push_back(line);
     warn(line);
@@ -304,21 +282,10 @@ void apply_edit(scene::Workspace& workspace, const SceneEdit& edit) {
   }
 }
 
-std::vector<std::string> missing_files(PreparedScene& scene) {
-  graph::Session& session = scene.workspace->session();
-  std::vector<std::string> lines;
-  for (const graph::Node* node : readers_of(session.graph())) {
-    const auto missing = output_of(session, *node, "frame_missing");
-    const bool blank = session.execute("getAttr " + node->name + ".missing").front() == "blank";
-    if (missing && graph::number_of(*missing) != 0.0 && blank) lines.push_back(badge_line(session, *node));
-  }
-  return lines;
-}
-
 void tell_shown_frames(PreparedScene& scene) {
   graph::Session& session = scene.workspace->session();
-  for (const graph::Node* node : readers_of(session.graph())) {
-    const auto frame = output_of(session, *node, "frame");
+  for (const graph::Node* node : volume_readers(session.graph())) {
+    const auto frame = reader_output(session, *node, "frame");
     if (!frame) continue;
     const std::string file = graph::expand_path(
         std::get<std::string>(node->value(node->schema->find("file"))), session.scene_folder());

@@ -30,10 +30,6 @@ PreparedScene prepare_scene(const SceneArguments& arguments, FirstSnapshot first
 /// std::runtime_error where a shape fails, SceneLoadCancelled.
 SceneSnapshot take_snapshot(PreparedScene& scene);
 
-/// Files of the moment that is on which are not there or cannot be read, and in whose place nothing is shown,
-/// one line each: "medium_file: frame 2 is missing".
-std::vector<std::string> missing_files(PreparedScene& scene);
-
 /// Says which frame of each sequence the scene shows now, where only one is to be a picture.
 void tell_shown_frames(PreparedScene& scene);
 

@@ -100,7 +100,7 @@ Run set_up_render(CLI::App& app) {
       ->allow_extra_args(false);
   app.add_option("--save-scene", arguments->scene.save_as, "the scene that INPUT and --set make, .plinian")
       ->type_name("FILE");
-  app.add_option("--frames", arguments->frames, "a picture for each of these frames")
+  app.add_option("--frames", arguments->frames, "a picture for each of these frames: 1-48, 1-48x4, 1,3,10-20")
       ->type_name("A-B")
       ->group("Sequences and variants");
   app.add_option("--vary", arguments->vary,

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "host/cli/picture.h"
+#include "host/cli/reader_badges.h"
 #include "host/graph/graph_error.h"
 #include "host/scene/missing_types.h"
 
@@ -50,6 +51,8 @@ graph::CommandResult render(scene::Workspace& workspace, Kept& kept, const graph
     if (kept.told.insert(line).second) workspace.session().warn(line);
   for (const std::string& line : built.notes)
     if (kept.told.insert(line).second) workspace.session().note(line);
+  for (const std::string& line : reader_badges(workspace.session()))
+    if (kept.told.insert(line).second) workspace.session().warn(line);
   const Picture picture = make_picture(kept.renderer, built.snapshot, arguments, "", "rendering");
   if (picture.cut_short) throw RenderCancelled();
   write_image(output, picture.image, writing);

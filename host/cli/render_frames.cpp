@@ -6,6 +6,7 @@
 #include <charconv>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "core/media/frame_sequence.h"
 #include "core/scene/nearest_word.h"
@@ -14,6 +15,7 @@
 #include "host/cli/console.h"
 #include "host/cli/kept_setup.h"
 #include "host/cli/picture.h"
+#include "host/cli/reader_badges.h"
 
 namespace plinian::cli {
 
@@ -21,31 +23,50 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct FrameRange {
-  int first = 1, last = 1;
-};
+constexpr std::int64_t most_frames = 1'000'000;
 
-// "1-48" or "12"; either may be negative.
-FrameRange parse_frames(const std::string& text) {
-  FrameRange range;
-  const char* const end = text.data() + text.size();
-  auto [rest, error] = std::from_chars(text.data(), end, range.first);
-  bool good = error == std::errc();
-  range.last = range.first;
-  if (good && rest != end) {
-    good = *rest == '-';
-    if (good) {
-      const auto second = std::from_chars(rest + 1, end, range.last);
-      good = second.ec == std::errc() && second.ptr == end;
-    }
+// "1-48", "12" or "1-48x4", every fourth; numbers may be negative.
+std::vector<int> parse_range(const std::string& text, const std::string& all) {
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  const auto number = [&](int& value) {
+    const auto [rest, error] = std::from_chars(at, end, value);
+    at = rest;
+    return error == std::errc();
+  };
+  int first = 0, step = 1;
+  bool good = number(first);
+  int last = first;
+  if (good && at != end) good = *at++ == '-' && number(last);
+  if (good && at != end) good = *at++ == 'x' && number(step) && at == end && step > 0;
+  if (!good)
+    throw std::runtime_error(fmt::format(
+        "--frames {}: expected FIRST-LAST, such as 1-48, also with a step, 1-48x4, or several: 1,3,10-20",
+        all));
+  if (last < first)
+    throw std::runtime_error(
+        fmt::format("--frames {}: the last frame comes before the first; --frames {}-{}", all, last, first));
+  std::vector<int> frames;
+  if ((std::int64_t(last) - first) / step >= most_frames)
+    throw std::runtime_error(fmt::format("--frames {}: more than a million frames", all));
+  for (std::int64_t frame = first; frame <= last; frame += step) frames.push_back(int(frame));
+  return frames;
+}
+
+// Ranges between commas, as they are told at the end of a job; each frame once, in ascending order.
+std::vector<int> parse_frames(const std::string& text) {
+  std::set<int> frames;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    std::string part = text.substr(begin, end - begin);
+    std::erase(part, ' ');
+    const std::vector<int> range = parse_range(part, text);
+    frames.insert(range.begin(), range.end());
+    if (std::int64_t(frames.size()) > most_frames)
+      throw std::runtime_error(fmt::format("--frames {}: more than a million frames", text));
+    begin = end + 1;
   }
-  if (good && range.last < range.first)
-    throw std::runtime_error(fmt::format("--frames {}: the last frame comes before the first; --frames {}-{}",
-                                         text, range.last, range.first));
-  if (good && std::int64_t(range.last) - range.first >= 1'000'000)
-    throw std::runtime_error(fmt::format("--frames {}: more than a million frames", text));
-  if (!good) throw std::runtime_error(fmt::format("--frames {}: expected FIRST-LAST, such as 1-48", text));
-  return range;
+  return {frames.begin(), frames.end()};
 }
 
 // "out.exr" becomes "out.####.exr".
@@ -117,14 +138,14 @@ class FrameJob {
   FrameJob(const RenderArguments& arguments, const std::string& command_line)
       : arguments_(arguments),
         command_line_(command_line),
-        range_(parse_frames(arguments.frames)),
+        frames_(parse_frames(arguments.frames)),
         patterns_(outputs_of(arguments)),
         writing_(write_options(arguments)) {
-    for (const FramePattern& pattern : patterns_) check_output(pattern.path(range_.first), writing_);
+    for (const FramePattern& pattern : patterns_) check_output(pattern.path(frames_.front()), writing_);
     for (std::size_t i = 0; i < arguments.outputs.size(); ++i)
       if (!FramePattern::parse(arguments.outputs[i]))
         note(fmt::format("{}: frames are numbered, from {} on", arguments.outputs[i],
-                         patterns_[i].path(range_.first)));
+                         patterns_[i].path(frames_.front())));
     scene_ = prepare_scene(arguments.scene, FirstSnapshot::left_out);
     tell_one_file();
     keep_setup();
@@ -135,8 +156,8 @@ class FrameJob {
 
   int run() {
     bool cut_short = false;
-    for (int frame = range_.first; frame <= range_.last && !cut_short; ++frame) try {
-        cut_short = !render(frame);
+    for (std::size_t i = 0; i < frames_.size() && !cut_short; ++i) try {
+        cut_short = !render(frames_[i]);
       } catch (const RenderCancelled&) {
         cut_short = true;
       } catch (const SceneLoadCancelled&) {
@@ -151,8 +172,7 @@ class FrameJob {
   // Whoever names one file of a sequence and wants its frames means the sequence.
   void tell_one_file() const {
     const fs::path input = arguments_.scene.input;
-    if (input.extension() != ".vdb" || range_.first == range_.last || FramePattern::parse(input.string()))
-      return;
+    if (input.extension() != ".vdb" || frames_.size() == 1 || FramePattern::parse(input.string())) return;
     std::string name = input.filename().string();
     const std::size_t end = name.find_last_of("0123456789");
     if (end == name.npos) return;
@@ -205,7 +225,7 @@ class FrameJob {
       tally_.report.push_back(std::move(report));
       return true;
     }
-    const std::vector<std::string> missing = missing_files(scene_);
+    const std::vector<std::string> missing = missing_files(session());
     const std::string job = job_hash(*snapshot, chosen_.name, arguments_);
     const bool skipped = std::all_of(outputs.begin(), outputs.end(),
                                      [&](const std::string& output) { return holds(output, job); });
@@ -213,7 +233,7 @@ class FrameJob {
       note(fmt::format("{}: there already, made by the same scene, quality and version", join(outputs)));
     } else {
       Picture picture = make_picture(chosen_, *snapshot, arguments_, command_line_,
-                                     fmt::format("frame {} of {}", frame, range_.last), job);
+                                     fmt::format("frame {} of {}", frame, frames_.back()), job);
       // Half a picture must not pass for a whole one when the rest is made.
       if (picture.cut_short) return false;
       picture.image.metadata[attribute::frame] = frame;
@@ -236,7 +256,7 @@ class FrameJob {
 
   // The end of a job; returns its exit code.
   int tell(bool cut_short) const {
-    const int all = range_.last - range_.first + 1;
+    const std::size_t all = frames_.size();
     if (arguments_.json)
       print(nlohmann::ordered_json{{"input", arguments_.scene.input},
                                    {"made", tally_.made},
@@ -266,7 +286,7 @@ class FrameJob {
 
   const RenderArguments& arguments_;
   const std::string& command_line_;
-  const FrameRange range_;
+  const std::vector<int> frames_;  // ascending
   const std::vector<FramePattern> patterns_;
   const WriteOptions writing_;
   PreparedScene scene_;

@@ -25,7 +25,7 @@ namespace {
 struct RunArguments {
   std::string script;
   std::vector<std::string> scenes;  // at most one
-  bool echo = false, quiet = false;
+  bool echo = false, quiet = false, keep_going = false;
 };
 
 constexpr const char* examples = R"(
@@ -48,7 +48,8 @@ std::function<std::optional<std::string>()> lines_of(const std::string& script) 
                       script));
   };
   if (script == "-")
-    return [refuse_scene, lines = std::make_shared<InputLines>(), first = true]() mutable {
+    return [refuse_scene, lines = std::make_shared<InputLines>(graph::longest_script_line),
+            first = true]() mutable {
       std::optional<std::string> line = lines->next();
       if (std::exchange(first, false) && line) refuse_scene(*line);
       return line;
@@ -84,12 +85,20 @@ int run_run(const RunArguments& arguments) {
     bar.reset();
     if (arguments.echo) print("> " + line + "\n");
   };
-  graph::run_script(session, next, arguments.script == "-" ? "standard input" : arguments.script,
-                    [](const std::string& line) {
-                      print(line + "\n");
-                      std::fflush(stdout);  // what was answered is out, whatever comes
-                    });
-  return exit_success;
+  int exit_code = exit_success;
+  const auto tell_error = [&](const std::string& line) {
+    bar.reset();
+    error(line);
+    exit_code = exit_failure;
+  };
+  graph::run_script(
+      session, next, arguments.script == "-" ? "standard input" : arguments.script,
+      [](const std::string& line) {
+        print(line + "\n");
+        std::fflush(stdout);  // what was answered is out, whatever comes
+      },
+      arguments.keep_going ? std::function<void(const std::string&)>(tell_error) : nullptr);
+  return exit_code;
 }
 
 }  // namespace
@@ -100,6 +109,8 @@ Run set_up_run(CLI::App& app) {
   app.add_option("SCRIPT", arguments->script, "a file of commands; - for standard input")->required();
   app.add_option("SCENE", arguments->scenes, "a .plinian scene to run it on (an empty one)")->expected(0, 1);
   app.add_flag("--echo", arguments->echo, "print each command as it is run");
+  app.add_flag("-k,--keep-going", arguments->keep_going,
+               "go on behind a line that fails; the exit code is 1 all the same");
   app.add_flag("-q,--quiet", arguments->quiet, "no notes");
   return [arguments](const std::string&) { return run_run(*arguments); };
 }

@@ -16,7 +16,9 @@
 // facts                what the file says of itself
 // frame                of the sequence, that is shown
 // badge                why something else is shown than what was asked for; empty: nothing to say
-// frame_missing        the file of the frame is not there or cannot be read
+// frame_missing        the file of the frame is not there or cannot be read; one beyond an automatic_range
+// that
+//                      is held counts, too
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -92,9 +94,14 @@ class Reader {
                               : source_frame(timing, context_.number(a_.time));
     const std::optional<int> frame = frame_in_range(timing, source);
     if (!frame) return blank("", int(std::clamp(std::floor(source), -1e9, 1e9)));
+    const std::string beyond = held(timing, source);
+    // Where the range is that of the files, whatever lies beyond it may only be late.
+    const bool is_late = automatic && !beyond.empty();
+    if (is_late && Missing(int(context_.number(a_.missing))) == Missing::error)
+      throw sdk::Error(pattern.path(int(std::clamp(std::floor(source), -1e9, 1e9))) + ": no such file");
     Shown shown = read_frame(pattern, frames, *frame);
-    shown.frame_missing = !shown.badge.empty();
-    if (shown.badge.empty()) shown.badge = held(timing, source);
+    shown.frame_missing = is_late || !shown.badge.empty();
+    if (shown.badge.empty()) shown.badge = beyond;
     return shown;
   }
 
@@ -314,7 +321,8 @@ Attributes declare(sdk::NodeType& type) {
       type.add({.name = "missing",
                 .type = "enum",
                 .help = "For a frame that is not there, or is still being written: nothing, the nearest "
-                        "one before it, or an error.",
+                        "one before it, or an error. Beyond an automatic range before and after say what is "
+                        "shown, but for the error.",
                 .group = "Sequence",
                 .choices = "blank,hold,error",
                 .affects = all});

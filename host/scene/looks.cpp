@@ -100,11 +100,8 @@ Look load_look(const std::string& name_or_path) {
   check_version(file, look.path);
   look.name = fs::path(look.path).stem().string();
   for (const auto& [key, value] : file.items()) {
-    if (key.starts_with('_') || key == "plinian_look") continue;
-    if (key == "name" && value.is_string()) {
-      look.name = value;
-      continue;
-    }
+    // A file is known by its name in the folder: copies keep what the original says inside.
+    if (key.starts_with('_') || key == "plinian_look" || (key == "name" && value.is_string())) continue;
     if (std::find(keys.begin(), keys.end(), key) == keys.end())
       throw std::runtime_error(fmt::format("{}: {}: unknown key{}", look.path, key, did_you_mean(key, keys)));
     for (const std::string& other : parameter(key).spec.excludes)

@@ -4,6 +4,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 
@@ -65,6 +66,15 @@ void on_crash(int signal) {
   ::raise(signal);
 }
 
+// What a plug-in has no right to do must not pass for an end of the program's own.
+void on_exit() {
+  if (!innermost) return;
+  put(STDERR_FILENO, "plinian: error: the program was ended by a call of exit");
+  innermost->write_to(STDERR_FILENO);
+  put(STDERR_FILENO, "\n");
+  ::_exit(1);
+}
+
 }  // namespace
 
 InsidePlugin::InsidePlugin(const std::string& owner, const char* doing, const char* subject, const char* part)
@@ -106,6 +116,7 @@ void InsidePlugin::write_to(int descriptor) const {
 
 void tell_of_crashes() {
   telling = true;
+  std::atexit(on_exit);
   static const HandlerStack stack;
   struct sigaction action {};
   action.sa_handler = on_crash;

@@ -2,6 +2,7 @@
 #include <span>
 
 #include "host/graph/commands/session.h"
+#include "host/graph/edits/kept_connections.h"
 #include "host/graph/files/attribute_declaration.h"
 #include "host/graph/graph_error.h"
 
@@ -85,6 +86,10 @@ std::vector<Plug> inputs_with_text(const Graph& graph, const Node& node) {
 // A value as it is now, or at another time.
 std::string read_plug(Session& session, const Plug& plug, std::optional<double> time) {
   const Graph& graph = session.graph();
+  const Node& node = *graph.find(plug.node);
+  for (const std::size_t i : kept_connections_into(node, plug))
+    throw GraphError(graph.name_of(plug) + " is driven by " + kept_source_name(graph, node.kept[i]) +
+                     ", of a type that is not known here: its value is not known either");
   const ResultPtr result =
       time ? session.evaluator().evaluate_at(*time, plug) : session.evaluator().evaluate(plug);
   if (result->error)

@@ -174,6 +174,22 @@ std::vector<NodeId> exported_nodes(Session& session, const Arguments& arguments)
   return all;
 }
 
+// What drives nodes and is not written with them: a shape without its volume shows nothing.
+void note_left_out(Session& session, const std::vector<NodeId>& nodes) {
+  const Graph& graph = session.graph();
+  const std::set<NodeId> written(nodes.begin(), nodes.end());
+  std::vector<std::string> cut;
+  for (const NodeId id : nodes)
+    for (const Input& input : graph.find(id)->inputs)
+      if (!written.contains(input.source.node))
+        cut.push_back(graph.name_of({id, input.attribute, input.element, input.component}) + " from " +
+                      graph.name_of(input.source));
+  if (cut.empty()) return;
+  const std::string more = cut.size() > 1 ? " and " + std::to_string(cut.size() - 1) + " more" : "";
+  session.note("export: without the connection of " + cut.front() + more +
+               ": -inputs takes what drives the nodes along");
+}
+
 // Has nodes written by the exporter of a file type: whole, or not at all.
 CommandResult export_as(const FileType& type, Session& session, const Arguments& arguments,
                         const std::vector<NodeId>& nodes) {
@@ -217,6 +233,7 @@ CommandResult export_nodes(Session& session, const Arguments& arguments) {
   const std::vector<NodeId> nodes = exported_nodes(session, arguments);
   try {
     if (type) return export_as(*type, session, arguments, nodes);
+    note_left_out(session, nodes);
     save_scene(file, write_scene(session.graph(), nodes,
                                  std::filesystem::absolute(file).lexically_normal().parent_path()));
   } catch (const FileError& error) {

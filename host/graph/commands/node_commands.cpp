@@ -56,7 +56,7 @@ CommandResult rename(Session& session, const Arguments& arguments) {
 
 CommandResult duplicate(Session& session, const Arguments& arguments) {
   const auto copies = session.editor().duplicate(nodes_or_selection(session, arguments.texts("nodes")),
-                                                 arguments.has("inputs"));
+                                                 arguments.has("shareKeys"));
   if (const std::string name = arguments.text("name"); !name.empty())
     for (const NodeId copy : copies) session.editor().rename(copy, name);
   session.editor().select(copies);
@@ -98,10 +98,11 @@ void add_node_commands(CommandRegistry& commands) {
        .run = rename});
   commands.add(
       {.name = "duplicate",
-       .help = "Copies nodes and what is under them, with the connections among them and their keys.",
+       .help = "Copies nodes and what is under them: they are driven by what drives the originals, and have "
+               "keys of their own.",
        .parameters = {{"nodes", node, "names or patterns; else the selection", true, true}},
        .flags = {{"name", "what the copies are called; numbers make it unique", text},
-                 {"inputs", "keep connections from nodes that are not copied, and share keys", {}}},
+                 {"shareKeys", "animated by the curves of the originals, not by copies of them", {}}},
        .run = duplicate});
   commands.add({.name = "parent",
                 .help = "Puts nodes under another one in the transform hierarchy.",

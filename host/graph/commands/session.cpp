@@ -215,7 +215,8 @@ NodeId Session::time_node() {
 }
 
 void run_script(Session& session, const std::function<std::optional<std::string>()>& next,
-                const std::string& name, const std::function<void(const std::string&)>& answer) {
+                const std::string& name, const std::function<void(const std::string&)>& answer,
+                const std::function<void(const std::string&)>& on_error) {
   std::string& where = session.script_place;
   struct Leave {
     std::string& place;
@@ -230,6 +231,9 @@ void run_script(Session& session, const std::function<std::optional<std::string>
     if (number == 0 && line->starts_with("\xef\xbb\xbf")) line->erase(0, 3);  // editors put it there
     where = name + ":" + std::to_string(++number) + ": ";
     check_interrupted();
+    if (line->size() > longest_script_line)
+      throw GraphError(where + "the line is longer than " + std::to_string(longest_script_line >> 20) +
+                       " MiB: this is no script");
     try {
       for (const std::string& reply : session.execute(*line))
         if (answer) answer(reply);
@@ -238,7 +242,8 @@ void run_script(Session& session, const std::function<std::optional<std::string>
       throw;
     } catch (const std::exception& error) {
       check_interrupted();  // also ends helpers of ours, whose end is then an error
-      throw GraphError(where + error.what());
+      if (!on_error) throw GraphError(where + error.what());
+      on_error(where + error.what());
     }
   }
   where = name + ":" + std::to_string(number + 1) + ": ";

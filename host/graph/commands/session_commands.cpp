@@ -18,7 +18,13 @@ CommandResult repeat(const Session& session, const Arguments& arguments, const c
   for (int i = 0; i < steps; ++i) {
     try {
       const std::string name = step();
-      if (name.empty()) break;
+      if (name.empty()) {
+        if (i > 0)
+          session.note(std::string(what) + ": there " +
+                       (i == 1 ? "was 1 step" : "were " + std::to_string(i) + " steps") + ", not " +
+                       std::to_string(steps));
+        break;
+      }
       lines.push_back(name);
     } catch (const GraphError& error) {
       // What was done stays, and is answered.

@@ -137,13 +137,19 @@ std::string set_one_key(Session& session, const Arguments& arguments, const Plug
     next = std::max(next, element + 1);
     if (number_of(graph.find(id)->value(attributes.time, element)) == time) place = element;
   }
-  if (place < 0) place = next;
+  const bool is_new = place < 0;
+  if (is_new) place = next;
   editor.set({id, attributes.time, place}, time);
   editor.set({id, attributes.value, place}, value);
-  if (arguments.has("interpolation")) {
+  // Between off and on, and between choices, there is nothing.
+  const AttributeType type = graph.attribute(plug).spec.type;
+  const bool is_stepped = is_new && (type == AttributeType::boolean || type == AttributeType::choice);
+  if (arguments.has("interpolation") || is_stepped) {
     const AttributeSpec& spec = (*graph.find(id)->schema)[attributes.interpolation].spec;
     try {
-      editor.set({id, attributes.interpolation, place}, read_value(spec, arguments.words("interpolation")));
+      editor.set({id, attributes.interpolation, place},
+                 read_value(spec, arguments.has("interpolation") ? arguments.words("interpolation")
+                                                                 : split_words("stepped")));
     } catch (const GraphError& error) {
       throw GraphError(std::string("setKeyframe: -interpolation: ") + error.what());
     }

@@ -128,20 +128,18 @@ std::string Editor::rename(NodeId id, const std::string& name) {
   return unique;
 }
 
-std::vector<NodeId> Editor::duplicate(const std::vector<NodeId>& nodes, bool with_inputs) {
+std::vector<NodeId> Editor::duplicate(const std::vector<NodeId>& nodes, bool share_keys) {
   const History::Scope scope(history_, "duplicate");
   std::unordered_map<NodeId, NodeId> copies;
   std::vector<NodeId> originals = with_descendants(graph_, nodes);
   // What only exists to drive a node, as the curves of its keys, is copied with it.
-  const std::size_t own = originals.size();
-  if (!with_inputs) {
+  if (!share_keys) {
     std::set<NodeId> among(originals.begin(), originals.end());
     for (std::size_t i = 0; i < originals.size(); ++i)
       for (const Input& input : graph_.find(originals[i])->inputs)
         if (graph_.find(input.source.node)->type->spec().follows && among.insert(input.source.node).second)
           originals.push_back(input.source.node);
   }
-  const std::set<NodeId> drivers(originals.begin() + std::ptrdiff_t(own), originals.end());
   for (const NodeId id : originals) {
     Node copy = *graph_.find(id);
     copy.inputs.clear();
@@ -152,21 +150,13 @@ std::vector<NodeId> Editor::duplicate(const std::vector<NodeId>& nodes, bool wit
   for (const NodeId id : originals) {
     // Connections that are kept for a node of an unknown type are copied as others are.
     std::vector<KeptLine> kept = graph_.find(id)->kept;
-    std::erase_if(kept, [&](KeptLine& line) {
-      if (const auto copy = copies.find(line.source); copy != copies.end()) {
-        line.source = copy->second;
-        return false;
-      }
-      return bool(line.source) && !with_inputs;
-    });
+    for (KeptLine& line : kept)
+      if (const auto copy = copies.find(line.source); copy != copies.end()) line.source = copy->second;
     if (!graph_.find(id)->kept.empty()) set_kept(copies.at(id), std::move(kept));
     const auto inputs = graph_.find(id)->inputs;
     for (const Input& input : inputs) {
       Plug source = input.source;
-      if (const auto copy = copies.find(source.node); copy != copies.end())
-        source.node = copy->second;
-      else if (!with_inputs && !drivers.contains(id))
-        continue;
+      if (const auto copy = copies.find(source.node); copy != copies.end()) source.node = copy->second;
       history_.perform(SetInput{{copies.at(id), input.attribute, input.element, input.component}, source});
     }
   }

@@ -26,10 +26,10 @@ class Editor {
   void delete_nodes(const std::vector<NodeId>& nodes);
   /// Returns the name that it got: a number makes it unique.
   std::string rename(NodeId node, const std::string& name);
-  /// Copies of the nodes and of what is under them, with values, the connections between them and nodes of
-  /// their own that only drive them, as curves of keys; with_inputs: connected to what drives the originals.
-  /// Returns the copies of `nodes`, in their order.
-  std::vector<NodeId> duplicate(const std::vector<NodeId>& nodes, bool with_inputs = false);
+  /// Copies of the nodes and of what is under them, with values, and driven by what drives the originals: by
+  /// its copy where that is copied as well, as nodes are that only drive one, the curves of its keys, unless
+  /// share_keys. Returns the copies of `nodes`, in their order.
+  std::vector<NodeId> duplicate(const std::vector<NodeId>& nodes, bool share_keys = false);
   /// parent: 0 for the top.
   void set_parent(const std::vector<NodeId>& nodes, NodeId parent);
   /// Puts a node under another one as a scene file has it. Where it can have no parent, or the other one no

@@ -61,7 +61,9 @@ void Comparison::keep(ViewPicturePtr picture, const std::string& name_of_it, Oth
   kind = other ? kind_of_it : OtherKind::none;
   development_.against = other;
   development_.against_file = kind == OtherKind::file ? images.reference.picture() : nullptr;
-  if (!other) set_mode(CompareMode::off);
+  if (other) return;
+  set_mode(CompareMode::off);
+  developer.forget();
 }
 
 void Comparison::take_file() {
@@ -110,6 +112,10 @@ void Comparison::update() {
     keep(reference, "reference", OtherKind::rendered);
     if (mode_ == CompareMode::off) set_mode(CompareMode::wipe);
   }
+  if (!taken_ || !taken_->at_rest || reference_->status().is_busy) return;
+  // It is done: what made it need not hold the scene any longer.
+  reference_.reset();
+  taken_ = nullptr;
 }
 
 }  // namespace plinian::window

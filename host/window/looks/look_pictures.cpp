@@ -45,7 +45,7 @@ LookPictures::~LookPictures() {
 }
 
 void LookPictures::update(const SceneSnapshot& scene, const ViewSettings& view) {
-  if (scene.media.empty()) return asked_.reset();
+  if (scene.media.empty()) return forget();
   const std::vector<std::string> looks = scene::look_names();
   Development how;
   how.view = view;

@@ -33,6 +33,11 @@ class LookPictures {
   /// Asks for pictures of a scene where they would be others than those asked for last; every medium wears
   /// the look. To be called while pictures are wanted.
   void update(const SceneSnapshot& scene, const ViewSettings& view);
+  /// Lets go of them and of their scene.
+  void forget() {
+    asked_.reset();
+    worker_.forget();
+  }
   /// In the order of scene::look_names(), or null before the first.
   std::shared_ptr<const std::vector<LookPicture>> pictures() const { return worker_.answer(); }
 

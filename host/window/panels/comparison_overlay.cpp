@@ -43,7 +43,12 @@ std::string size_text(ivec2 size) {
 
 void ComparisonOverlay::take_picture(Studio& studio, const DevelopedPtr& shown) {
   Comparison& comparison = studio.comparison;
-  if (!comparison.other) return;
+  if (!comparison.other) {
+    asked_ = nullptr;
+    asked_how_.clear();
+    texture_.forget();
+    return;
+  }
   // As it was matched, where it was.
   const bool matched =
       shown && shown->other && comparison.kind == OtherKind::file && comparison.mode() != CompareMode::off;

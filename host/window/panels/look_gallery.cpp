@@ -38,6 +38,8 @@ void LookGallery::show(Studio& studio, const PaneRect& pane) {
   if (!studio.show_looks) {
     textures_.clear();
     asked_.clear();
+    if (const ViewPicturePtr shown = studio.renderer.picture(); shown && shown->scene.media.empty())
+      studio.looks.forget();
     return;
   }
   const graph::Node* medium = scene::medium_for_looks(studio.session().graph());

@@ -42,6 +42,12 @@ class NewestWorker {
     const std::lock_guard lock(mutex_);
     return answer_;
   }
+  /// Lets go of the answer, and of a question that was not begun.
+  void forget() {
+    const std::lock_guard lock(mutex_);
+    waiting_.reset();
+    answer_ = nullptr;
+  }
 
  private:
   void run() {

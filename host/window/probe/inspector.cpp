@@ -32,6 +32,10 @@ Inspection inspect(const Inspection::Question& question) {
 Inspector::Inspector(std::function<void()> wake) : worker_(inspect, std::move(wake)) {}
 
 void Inspector::update(const ViewPicturePtr& picture) {
+  if (!on && asked_number_ != 0) {
+    asked_number_ = 0;
+    worker_.forget();
+  }
   if (!on || !place || !picture) return;
   const ivec2 size(picture->scene.width, picture->scene.height);
   const ivec2 pixel = glm::clamp(ivec2(*place * vec2(size)), ivec2(0), size - 1);

@@ -237,6 +237,13 @@ DevelopedPtr Developer::developed() const {
   return developed_;
 }
 
+void Developer::forget() {
+  const std::lock_guard lock(mutex_);
+  waiting_ = nullptr;
+  how_ = {};
+  developed_ = nullptr;
+}
+
 void Developer::run() {
   for (;;) {
     ViewPicturePtr picture;

@@ -80,6 +80,8 @@ class Developer {
   void ask(ViewPicturePtr picture, const Development& how);
   /// The newest, or null before the first.
   DevelopedPtr developed() const;
+  /// Lets go of what was asked for last and of its picture.
+  void forget();
 
  private:
   void run();

@@ -6,7 +6,14 @@
 namespace plinian::window {
 
 PictureTexture::~PictureTexture() {
+  forget();
+}
+
+void PictureTexture::forget() {
   if (name_ != 0) glDeleteTextures(1, &name_);
+  name_ = 0;
+  size_ = ivec2(0);
+  shown_ = nullptr;
 }
 
 void PictureTexture::filter(vec2 place) {

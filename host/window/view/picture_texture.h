@@ -15,6 +15,8 @@ class PictureTexture {
   PictureTexture(const PictureTexture&) = delete;
   PictureTexture& operator=(const PictureTexture&) = delete;
 
+  /// There is no picture any more. With the context current.
+  void forget();
   /// Uploads the picture, unless it is the one that is there.
   void show(const DevelopedPtr& developed);
   /// To be drawn that large [pixels of the screen].

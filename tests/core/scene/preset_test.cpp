@@ -74,6 +74,23 @@ TEST(Preset, FastHasSixCoefficientsAndHighFourteen) {
   EXPECT_EQ(load_preset("high", {shipped}).quality.name, "high");
 }
 
+TEST(Preset, IsKnownByTheNameOfItsFile) {
+  const TemporaryFolder folder;
+  folder.write("mid.json", preset(R"("name": "fast", "map": {"coefficients": 8})"));
+  const Preset found = load_preset("mid", {folder.path().string(), shipped});
+  EXPECT_EQ(found.quality.name, "mid") << "as copies of a shipped one are";
+  EXPECT_EQ(found.quality.map.coefficients, 8);
+}
+
+TEST(Preset, ThatIsItsOwnBaseSaysSo) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("loop.json", preset(R"("base": "loop")"));
+  EXPECT_EQ(error_of([&] {
+              load_preset("loop", {folder.path().string(), shipped});
+            }),
+            path + ": base: loop is this preset itself; name another one, or leave the base out for fast");
+}
+
 TEST(Preset, TheShippedOnesHoldEveryParameterAndNeedNoBase) {
   for (const char* name : {"fast", "high"}) {
     const std::string text = text_of(shipped + "/" + name + ".json");

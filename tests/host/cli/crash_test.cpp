@@ -51,6 +51,16 @@ TEST_F(Crash, NamesThePluginAndWhatItWasDoing) {
                "timeChanged");
 }
 
+// A licence library that is not content ends whatever it is in.
+TEST_F(Crash, APluginThatEndsTheProgramIsNoSuccess) {
+  const Ended ended = script("createNode transform -name a\nloadPlugin crash\nls\n", "exit");
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_EQ(ended.out, "a\n");
+  EXPECT_TRUE(ended.err.starts_with(
+      "plinian: error: the program was ended by a call of exit in the plug-in 'crash' while "))
+      << ended.err;
+}
+
 TEST_F(Crash, WhileBeingLoadedIsToldOfNextTimeAndNotTriedAgain) {
   for (const std::string part : {"load", "initialise"}) {
     const std::string doing = part == "load" ? "being loaded" : "being initialised";

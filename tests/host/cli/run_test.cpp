@@ -87,6 +87,52 @@ TEST_F(Program, AByteOrderMarkIsNoPartOfAScriptOrAScene) {
   EXPECT_NE(run({"run", "s.plinian"}).err.find("is a scene, not a script"), std::string::npos);
 }
 
+TEST_F(Program, ARunThatKeepsGoingTellsWhatFailedAndFails) {
+  folder_.write("s.pln", "createNode transform -name a\nnonsense\nls -type transform\n");
+  const Ended ended = run({"run", "-k", "s.pln"});
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_EQ(ended.out, "a\na\n");
+  EXPECT_TRUE(ended.err.starts_with("plinian: error: s.pln:2: unknown command 'nonsense'")) << ended.err;
+  EXPECT_EQ(run({"run", "s.pln"}).out, "a\n");
+}
+
+TEST_F(Program, AnEndlessLineIsRefusedAtOnce) {
+  const std::string shell = "head -c 40000000 /dev/zero | tr '\\0' x > big.pln; '" + program_path() +
+                            "' run big.pln 2>&1; '" + program_path() + "' run - < big.pln 2>&1";
+  const auto start = std::chrono::steady_clock::now();
+  FILE* pipe = popen(("cd '" + folder_.path().string() + "' && " + shell).c_str(), "r");
+  ASSERT_TRUE(pipe);
+  std::string heard;
+  for (int c; (c = std::fgetc(pipe)) != EOF;) heard += char(c);
+  pclose(pipe);
+  EXPECT_EQ(heard,
+            "plinian: error: big.pln:1: the line is longer than 16 MiB: this is no script\n"
+            "plinian: error: standard input:1: the line is longer than 16 MiB: this is no script\n");
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
+  // One that is only long is an unknown command like any other.
+  folder_.write("long.pln", std::string(4 << 20, 'x'));
+  const Ended ended = run({"run", "long.pln"});
+  EXPECT_NE(ended.err.find("long.pln:1: unknown command 'xxx"), std::string::npos)
+      << ended.err.substr(0, 200);
+}
+
+TEST_F(Program, AScriptsPictureTellsWhatItShowsInPlaceOfAFrame) {
+  ASSERT_EQ(run({"make", "ash", "-o", "a.1.vdb", "--resolution", "16"}).code, 0);
+  folder_.write("s.pln",
+                "import a.#.vdb -setup\ncurrentTime 9\nrender e.png -size 16x16 -renderer cpu -passes 1\n");
+  const Ended shown = run({"run", "s.pln"});
+  EXPECT_EQ(shown.code, 0) << shown.err;
+  EXPECT_NE(shown.err.find("warning: s.pln:3: medium_file: behind the last frame of the sequence, 1"),
+            std::string::npos)
+      << shown.err;
+  folder_.write("t.pln",
+                "import a.#.vdb -setup\nsetAttr medium_file.missing error\ncurrentTime 9\n"
+                "render f.png -size 16x16 -renderer cpu -passes 1\n");
+  const Ended refused = run({"run", "t.pln"});
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_NE(refused.err.find("a.9.vdb: no such file"), std::string::npos) << refused.err;
+}
+
 TEST_F(Program, AScriptAndASceneAreToldApart) {
   folder_.write("s.pln", "ls\n");
   folder_.write("s.plinian", "plinian scene 1.0\nend\n");

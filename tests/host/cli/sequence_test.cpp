@@ -93,7 +93,10 @@ TEST_F(Program, FramesBeyondASequenceAreHeldAndToldOnce) {
   ASSERT_EQ(run({"make", "ash", "-o", "a.1.vdb", "--resolution", "16"}).code, 0);
   const Ended ended = run({"render", "a.#.vdb", "--frames", "1-3", "-o", "a.#.png", "--renderer", "cpu",
                            "--size", "8x8", "--passes", "1", "--set", "map.resolution=16"});
-  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(ended.code, 1) << "they may only be late: " << ended.err;
+  EXPECT_NE(ended.err.find("drawn without a file that is missing or cannot be read: frames 2-3;"),
+            std::string::npos)
+      << ended.err;
   const std::string line =
       "warning: medium_file: behind the last frame of the sequence, 1, which is held (before, after)\n";
   const std::size_t told = ended.err.find(line);
@@ -166,6 +169,23 @@ TEST_F(Program, FramesThatFailAreListedAndTheOthersMade) {
   EXPECT_FALSE(holes["frames"][2].contains("missing"));
   EXPECT_EQ(holes["frames"][0]["passes"], 2);
   EXPECT_EQ(holes["frames"][1]["passes"], 0) << "nothing was marched";
+}
+
+TEST_F(Program, FramesAreGivenInRangesWithStepsAndCommas) {
+  const auto frames = [&](const std::string& which) {
+    const Ended ended = run({"render", "sphere", "--frames", which, "-o", "b.#.png", "--renderer", "cpu",
+                             "--size", "8x8", "--passes", "1", "--json"});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    std::vector<int> made;
+    const json report = json::parse(ended.out);
+    for (const json& frame : report["frames"]) made.push_back(frame["frame"]);
+    return made;
+  };
+  EXPECT_EQ(frames("7-9, 1,3"), (std::vector{1, 3, 7, 8, 9}));
+  EXPECT_EQ(frames("1-8x3"), (std::vector{1, 4, 7}));
+  EXPECT_EQ(frames("-2--1"), (std::vector{-2, -1}));
+  for (const char* wrong : {"1,", "1-8x0", "1-8x", "a", "1 to 3", "1-3-5"})
+    EXPECT_NE(run({"render", "sphere", "--frames", wrong, "-o", "b.#.png"}).code, 0) << wrong;
 }
 
 TEST_F(Program, FramesOfOneFileOfASequenceAreQuestioned) {

@@ -60,7 +60,10 @@ TEST_F(Sequence, AMissingFrameIsBlankWithABadgeOrHeldOrAnError) {
   EXPECT_EQ(s.run("getAttr r.badge"), "\"frame 3 is missing\"");
   EXPECT_EQ(s.run("getAttr r.frame_missing"), "true");
   EXPECT_EQ(s.run("currentTime 2\ngetAttr r.badge\ngetAttr r.frame_missing"), "2\n\"\"\nfalse");
-  EXPECT_EQ(s.run("currentTime 99\ngetAttr r.frame_missing"), "99\nfalse") << "held as it should be";
+  EXPECT_EQ(s.run("currentTime 99\ngetAttr r.frame_missing"), "99\ntrue") << "it may only be late";
+  s.run("setAttr r.automatic_range off\nsetAttr r.end 4");
+  EXPECT_EQ(s.run("getAttr r.frame_missing"), "false") << "so long it is, and is held then";
+  s.run("undo 2");
   s.run("setAttr r.missing hold");
   EXPECT_EQ(at(3), 2.0f);
   EXPECT_EQ(s.run("getAttr r.badge"), "\"frame 3 is missing\"");

@@ -137,7 +137,8 @@ TEST_F(Presets, ASceneTellsWhenTheLookItUsedHasChanged) {
   EXPECT_TRUE(same.warnings.empty()) << same.warnings.front();
   const std::string look = folder / "show/presets/looks/ash.json";
   folder.write("show/presets/looks/ash.json",
-               R"({"plinian_look": {"major": 1, "minor": 0}, "albedo": 0.1, "g": 0.2, "_": "a comment"})");
+               R"({"plinian_look": {"major": 1, "minor": 0}, "name": "another", "albedo": 0.1, "g": 0.2,
+                   "_": "a comment"})");
   TestWorkspace changed;
   changed.run("open " + folder / "a.plinian");
   ASSERT_EQ(changed.warnings.size(), 1u);

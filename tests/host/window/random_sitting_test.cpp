@@ -40,9 +40,11 @@ class RandomHand {
     for (int attempt = 0; attempt < 10; ++attempt) {
       const std::size_t then = sitting_.now();
       sitting_.stroke("Escape");  // a dialog, or what is typed
-      sitting_.stroke("Control_L+Shift_L+p");
-      sitting_.type("compare with nothing");
-      sitting_.stroke("Return");
+      for (const char* entry : {"stop the reference", "compare with nothing"}) {
+        sitting_.stroke("Control_L+Shift_L+p");
+        sitting_.type(entry);
+        sitting_.stroke("Return");
+      }
       for (const char* line : {"deleteSnapshot", "newScene -force", "cache -clear"}) run(line);
       const Clock::time_point asked = Clock::now();
       Clock::time_point quiet_since = asked;

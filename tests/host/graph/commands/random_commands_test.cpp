@@ -25,7 +25,7 @@ class RandomCommands {
       case 4:
         return "rename " + node + " " + one_of({"a", "ash", "lib:x", "x9", "bad name"});
       case 5:
-        return "duplicate " + node + (pick(2) ? " -inputs" : "");
+        return "duplicate " + node + (pick(2) ? " -shareKeys" : "");
       case 6:
         return pick(3) ? "parent " + node + " " + other : "parent -world " + node;
       case 7:

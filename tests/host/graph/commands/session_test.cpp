@@ -91,8 +91,65 @@ TEST(Session, ACopyHasKeysOfItsOwn) {
   EXPECT_EQ(s.run("getAttr g1.translate.x\ngetAttr g1.translate.x -time 4"), "9\n3");
   s.run("setKeyframe g1.translate.x -time 10 -value 90");
   EXPECT_EQ(s.run("getAttr g.translate.x\ngetAttr g1.translate.x"), "9\n90");
-  s.run("duplicate g -inputs");
+  s.run("duplicate g -shareKeys");
   EXPECT_EQ(s.run("listConnections g2"), "g_translate_x.out -> g2.translate.x");
+}
+
+TEST(Session, ACopyIsDrivenByWhatDrivesTheOriginal) {
+  TestSession s;
+  s.run(
+      "createNode sum -name x\ncreateNode sum -name y\nconnectAttr x.out y.a\nsetKeyframe y.b -time 1 -value "
+      "3\nduplicate y");
+  EXPECT_EQ(s.run("listConnections y1"), "x.out -> y1.a\ny_b1.out -> y1.b");
+}
+
+TEST(Session, SwitchesAndChoicesAreKeyedInSteps) {
+  TestSession s;
+  s.run(
+      "createNode every -name e\nsetKeyframe e.flag -time 1 -value off\nsetKeyframe e.flag -time 10 -value "
+      "on\n"
+      "setKeyframe e.mode -time 1 -value off\nsetKeyframe e.mode -time 10 -value high");
+  EXPECT_EQ(s.run("getAttr e.flag -time 9\ngetAttr e.flag -time 10"), "false\ntrue");
+  EXPECT_EQ(s.run("getAttr e.mode -time 9\ngetAttr e.mode -time 10"), "off\nhigh");
+  EXPECT_EQ(s.run("getAttr e_flag.key[0].interpolation"), "stepped");
+  s.run("setKeyframe e.flag -time 1 -value off -interpolation linear\nsetKeyframe e.flag -time 1 -value on");
+  EXPECT_EQ(s.run("getAttr e_flag.key[0].interpolation"), "linear") << "as it was asked for";
+}
+
+TEST(Session, FewerStepsThanAskedForAreTold) {
+  TestSession s;
+  std::vector<std::string> notes;
+  s.on_note = [&](const std::string& line) { notes.push_back(line); };
+  s.run("createNode sum -name x\ncreateNode sum -name y");
+  EXPECT_EQ(s.run("undo 5"), "createNode -name y sum\ncreateNode -name x sum");
+  EXPECT_EQ(notes, std::vector<std::string>{"undo: there were 2 steps, not 5"});
+}
+
+TEST(Session, AnExportNamesTheConnectionsThatItLeavesOut) {
+  const TemporaryFolder folder;
+  TestSession s;
+  std::vector<std::string> notes;
+  s.on_note = [&](const std::string& line) { notes.push_back(line); };
+  s.run("createNode sum -name x\ncreateNode sum -name y\nconnectAttr x.out y.a\nconnectAttr x.out y.b");
+  s.run("export " + (folder / "y.plinian") + " y");
+  EXPECT_EQ(notes, std::vector<std::string>{"export: without the connection of y.a from x.out and 1 more: "
+                                            "-inputs takes what drives the nodes along"});
+  notes.clear();
+  s.run("export " + (folder / "all.plinian") + " y -inputs");
+  EXPECT_TRUE(notes.empty());
+}
+
+TEST(Session, AScriptGoesOnBehindALineThatFailsWhereThatIsAskedFor) {
+  TestSession s;
+  std::vector<std::string> errors;
+  std::vector<std::string> lines = {"createNode sum -name x", "bad", "setAttr x.a 3"};
+  const auto next = [&, i = std::size_t(0)]() mutable {
+    return i < lines.size() ? std::optional(lines[i++]) : std::nullopt;
+  };
+  run_script(s, next, "a.pln", nullptr, [&](const std::string& line) { errors.push_back(line); });
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_TRUE(errors[0].starts_with("a.pln:2: unknown command 'bad'")) << errors[0];
+  EXPECT_EQ(s.run("getAttr x.a"), "3");
 }
 
 TEST(Session, KeysMakeCurvesAndCuttingThemFreesTheAttribute) {

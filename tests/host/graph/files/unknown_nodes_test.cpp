@@ -98,12 +98,15 @@ TEST(UnknownNodes, WhatTheyDriveIsSeenHeldAndLetGoOfAndCopiedWithThem) {
   EXPECT_EQ(s.run("listConnections q"), "s.out -> q.density\np.out -> q.keys[1]\nq.out -> top.translate.x");
   EXPECT_EQ(s.refusal("setAttr top.translate.x 3"),
             "top.translate.x is driven by q.out, of a type that is not known here: disconnect it first");
+  EXPECT_EQ(
+      s.refusal("getAttr top.translate.x"),
+      "top.translate.x is driven by q.out, of a type that is not known here: its value is not known either");
   s.run("setAttr top.translate.y 3");
   s.run("duplicate top q s");
   EXPECT_EQ(s.run("listConnections top1"), "q1.out -> top1.translate.x");
   EXPECT_EQ(s.run("listConnections q1 -source"), "s1.out -> q1.density\np1.out -> q1.keys[1]");
   s.run("duplicate q");
-  EXPECT_EQ(s.run("listConnections q2"), "") << "from nodes that were not copied";
+  EXPECT_EQ(s.run("listConnections q2"), "s.out -> q2.density\np.out -> q2.keys[1]");
   s.run("disconnectAttr top.translate.x\nsetAttr top.translate.x 3");
   EXPECT_EQ(s.run("listConnections top"), "");
   s.run("undo 2");
