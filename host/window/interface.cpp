@@ -71,7 +71,7 @@ double Interface::patience() const {
   if (studio_.commands.has_work()) return 0.0;
   if (redraws_ > 0) return std::max(0.0, earliness());
   if (studio_.is_hand_on() || studio_.feed.is_computing() || studio_.viewpoint.is_waiting() ||
-      drawings_.is_busy() || timeline_.is_playing())
+      drawings_.is_busy() || attributes_.driven.is_waiting() || timeline_.is_playing())
     return 0.015;
   const double idle = studio_.renderer.status().is_busy ? 0.1 : 1.0;
   return std::min(idle, studio_.comparison.until_next_turn());
@@ -122,6 +122,7 @@ void Interface::turn() {
   if (drawings_.update()) redraws_ = std::max(redraws_, 2);
   note_phase("drawings");
   if (studio_.feed.update()) redraws_ = std::max(redraws_, 2);
+  if (attributes_.driven.take_news()) redraws_ = std::max(redraws_, 1);
   note_phase("feed");
   if (was_computing != studio_.feed.is_computing() || was_hand_on != studio_.is_hand_on() || most > 0.05)
     redraws_ = std::max(redraws_, 1);

@@ -22,17 +22,6 @@ using graph::Plug;
 
 namespace {
 
-// As it is now, also where it is driven.
-double number_now(Studio& studio, const AttributeRow& row, const Plug& part) {
-  if (row.driver.empty()) return number_at(studio.session().graph(), part);
-  const graph::ResultPtr result = studio.session().evaluator().evaluate(part);
-  try {
-    return result->error ? 0.0 : graph::number_of(result->value);
-  } catch (const graph::GraphError&) {
-    return 0.0;
-  }
-}
-
 void send(Studio& studio, const Plug& plug, const std::string& words, const std::string& merge_key = "") {
   for (const std::string& line : set_lines(studio.session().graph(), plug, words))
     studio.run(line, merge_key);
@@ -81,6 +70,11 @@ std::string tooltip(const graph::Graph& graph, const AttributeRow& row) {
 }
 
 }  // namespace
+
+double AttributePanel::number_now(Studio& studio, const AttributeRow& row, const Plug& part) {
+  return row.driver.empty() ? number_at(studio.session().graph(), part)
+                            : driven.number(studio.session(), part);
+}
 
 void AttributePanel::refresh(Studio& studio) {
   const graph::Graph& graph = studio.session().graph();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "host/window/fields/attribute_rows.h"
+#include "host/window/fields/driven_values.h"
 #include "host/window/panels/widgets.h"
 #include "host/window/studio.h"
 
@@ -14,7 +15,11 @@ class AttributePanel {
  public:
   void show(Studio& studio, const PaneRect& pane);
 
+  DrivenValues driven;
+
  private:
+  // As it is now, also where it is driven.
+  double number_now(Studio& studio, const AttributeRow& row, const graph::Plug& part);
   void refresh(Studio& studio);
   void show_row(Studio& studio, const AttributeRow& row);
   void show_value(Studio& studio, const AttributeRow& row, float width);
