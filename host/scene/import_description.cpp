@@ -27,6 +27,20 @@ using graph::write_number;
 
 namespace {
 
+dvec3 rounded(const dvec3& degrees, double per_degree) {
+  return glm::round(degrees * per_degree) / per_degree + 0.0;  // no -0
+}
+
+// The shortest angles that turn +z to the direction as it is in floats: -42, not -42.000001061274496.
+dvec3 short_angles_toward(const vec3& toward) {
+  const dvec3 angles = angles_toward(direction_of(toward));
+  for (double per_degree = 1.0; per_degree < 1e12; per_degree *= 10.0) {
+    const dvec3 shorter = rounded(angles, per_degree);
+    if (vec3(dvec3(rotation_xyz(shorter)[2])) == toward) return shorter;
+  }
+  return angles;
+}
+
 std::string words_of(float value) {
   return write_number(value);
 }
@@ -322,7 +336,7 @@ class Importer {
   void fill_camera(const Camera& camera) {
     const std::string& node = camera_node_;
     set(node + ".translate", dvec3(camera.world_from_camera[3]));
-    set(node + ".rotate", angles_of(camera.world_from_camera));
+    set(node + ".rotate", rounded(angles_of(camera.world_from_camera), 1e9));
     set(node + ".focal_length", camera.focal_length);
     set(node + ".film_back", camera.film_back);
     set_word(node + ".film_fit", word_of(camera_parameters(), "film_fit", camera.fit));
@@ -333,7 +347,7 @@ class Importer {
 
   void fill_light(const std::string& node, const LightDescription& d, const Light& light) {
     if (light.type != LightType::directional) set(node + ".translate", dvec3(light.position));
-    if (light.type != LightType::point) set(node + ".rotate", angles_toward(direction_of(light.toward)));
+    if (light.type != LightType::point) set(node + ".rotate", short_angles_toward(light.toward));
     if (d.kelvin && !d.irradiance) {
       set_word(node + ".use_kelvin", "true");
       set(node + ".kelvin", *d.kelvin);
