@@ -67,8 +67,11 @@ ReadPicture read_picture(const Image& image, const std::string& layer, const std
   } else if (const auto found = planes_of(image, layer)) {
     planes = *found;
   } else {
-    throw ImageError("no layer '" + layer + "'" + did_you_mean(layer, colour_layers(image)) +
-                     "; there are: " + join(colour_layers(image)));
+    std::vector<std::string> named = colour_layers(image);
+    std::erase(named, "");
+    throw ImageError("no layer '" + layer + "'" + did_you_mean(layer, named) +
+                     (named.empty() ? ": the picture has no layers with a name, leave it empty"
+                                    : "; there are: " + join(named)));
   }
   const float gain = std::exp2(exposure);
   const auto value = [&](float v) {
@@ -83,11 +86,27 @@ ReadPicture read_picture(const Image& image, const std::string& layer, const std
   frame.height = image.height;
   const std::size_t pixels = image.pixel_count();
   frame.beauty.resize(pixels);
-  for (std::size_t i = 0; i < pixels; ++i)
-    frame.beauty[i] = vec3(value(planes.r[i]), value(planes.g[i]), value(planes.b[i]));
+  const auto colours = [&](const Planes& of) {
+    std::vector<vec3> result(pixels);
+    for (std::size_t i = 0; i < pixels; ++i) result[i] = vec3(value(of.r[i]), value(of.g[i]), value(of.b[i]));
+    return result;
+  };
+  frame.beauty = colours(planes);
   frame.transmittance.assign(pixels, vec3(0.0f));
   frame.depth.assign(pixels, INFINITY);
   frame.ambient = frame.emission = frame.background = std::vector<vec3>(pixels, vec3(0.0f));
+  // As this program writes them: one for each light, beside others that are known by their names.
+  if (layer.empty())
+    for (const std::string& name : colour_layers(image)) {
+      if (name.empty() || name == "background" || name == "transmittance") continue;
+      std::vector<vec3> radiance = colours(*planes_of(image, name));
+      if (name == "ambient" || name == "emission") {
+        (name == "ambient" ? frame.ambient : frame.emission) = std::move(radiance);
+        (name == "ambient" ? read.has_ambient : read.has_emission) = true;
+      } else {
+        frame.lights.push_back({name, std::move(radiance)});
+      }
+    }
   const Channel* alpha = image.find("A");
   if (!alpha) return read;
   read.has_alpha = true;

@@ -15,8 +15,10 @@ namespace plinian::window {
 std::vector<std::string> colour_layers(const Image& image);
 
 struct ReadPicture {
-  Frame frame;             // beauty is what the file holds; transmittance 1 - alpha; background its own share
-  bool has_alpha = false;  // else the transmittance is 0 everywhere
+  Frame frame;  // beauty is what the file holds; transmittance 1 - alpha; background its own share;
+                // ambient, emission and lights of the layers that have a colour
+  bool has_alpha = false;                          // else the transmittance is 0 everywhere
+  bool has_ambient = false, has_emission = false;  // likewise
 };
 
 /// layer: one of colour_layers, or empty. colour_space: auto, linear, srgb. exposure: [stops] on all of it.

@@ -42,4 +42,23 @@ void Wipe::turn_to(vec2 point, vec2 begin, vec2 size, bool forwards) {
   if (glm::length(toward) > 1.0f) angle = std::atan2(-toward.x, toward.y);
 }
 
+std::vector<vec2> clipped(std::vector<vec2> polygon, vec2 begin, vec2 size) {
+  for (int side = 0; side < 4; ++side) {
+    const int axis = side / 2;
+    const float sign = side % 2 == 0 ? 1.0f : -1.0f;
+    const float edge = side % 2 == 0 ? begin[axis] : begin[axis] + size[axis];
+    const auto inside = [&](vec2 p) { return sign * (p[axis] - edge); };
+    std::vector<vec2> kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const vec2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+      const float da = inside(a), db = inside(b);
+      if (da >= 0.0f) kept.push_back(a);
+      if ((da > 0.0f && db < 0.0f) || (da < 0.0f && db > 0.0f))
+        kept.push_back(glm::mix(a, b, da / (da - db)));
+    }
+    polygon = std::move(kept);
+  }
+  return polygon;
+}
+
 }  // namespace plinian::window

@@ -26,4 +26,7 @@ struct Wipe {
   void turn_to(vec2 point, vec2 begin, vec2 size, bool forwards);
 };
 
+/// The part of a convex polygon within a rectangle [Sutherland and Hodgman 1974]. All in [points].
+std::vector<vec2> clipped(std::vector<vec2> polygon, vec2 begin, vec2 size);
+
 }  // namespace plinian::window

@@ -35,6 +35,16 @@ void add_image_polygon(ImDrawList* list, ImTextureID texture, const std::vector<
   list->PopTextureID();
 }
 
+// Where a picture of that many pixels lies within a place: the whole of it where the shapes agree but for the
+// rounding to pixels.
+PaneRect fitted(const PaneRect& place, vec2 pixels) {
+  if (std::abs(pixels.x * place.size.y - pixels.y * place.size.x) <=
+      pixels.x + pixels.y + place.size.x + place.size.y)
+    return place;
+  const vec2 size = pixels * std::min(place.size.x / pixels.x, place.size.y / pixels.y);
+  return {place.begin + (place.size - size) * 0.5f, size};
+}
+
 std::string size_text(ivec2 size) {
   return fmt::format("{}x{}", size.x, size.y);
 }
@@ -71,7 +81,11 @@ void ComparisonOverlay::show_wipe(Studio& studio, const PaneRect& picture, bool 
   Wipe& wipe = studio.comparison.wipe;
   const vec2 begin = picture.begin, size = picture.size;
   ImDrawList* list = ImGui::GetWindowDrawList();
-  add_image_polygon(list, texture_id(texture_), wipe.other_side(begin, size), picture);
+  // In its own shape, where the pane has another: seen through the free camera.
+  const DevelopedPtr& other = texture_.shown();
+  const PaneRect place = other ? fitted(picture, vec2(other->width, other->height)) : picture;
+  add_image_polygon(list, texture_id(texture_),
+                    clipped(wipe.other_side(begin, size), place.begin, place.size), place);
   const vec2 mouse(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
   const vec2 middle = begin + wipe.at * size;
   const float reach = std::min(size.x, size.y) * 0.3f;
@@ -146,16 +160,24 @@ std::vector<std::string> comparison_lines(const Studio& studio, const DevelopedP
     lines.push_back(fmt::format("{} is {}, the picture {}x{}: give the pane its old size to measure",
                                 comparison.name, size_text(size), shown->width, shown->height));
   }
+  if (is_on && shown && !shown->lacks.empty())
+    lines.push_back(
+        fmt::format("{} has no layer '{}' to be measured against", comparison.name, shown->lacks));
   if (shown && shown->psnr) {
-    std::string figures = std::isfinite(*shown->psnr) ? fmt::format("{:.1f} dB", *shown->psnr) : "identical";
-    figures = fmt::format("against {}: {}   SSIM {:.4f}", comparison.name, figures, *shown->ssim);
+    // What is not at rest yet comes nearer by itself.
+    const char* about = shown->picture->at_rest ? "" : "~ ";
+    std::string figures =
+        std::isfinite(*shown->psnr) ? fmt::format("{}{:.1f} dB", about, *shown->psnr) : "identical";
+    figures = fmt::format("against {}: {}   {}SSIM {:.4f}", comparison.name, figures, about, *shown->ssim);
     if (shown->flip) figures += fmt::format("   FLIP {:.4f}", *shown->flip);
     if (comparison.mode() == CompareMode::difference) figures = "4 x difference   " + figures;
     lines.push_back(figures);
     // What to turn when a picture is to be met: light where all are off, colours where one is.
     if (const auto& b = shown->balance)
-      lines.push_back(fmt::format("brightness of its   R {:.2f}   G {:.2f}   B {:.2f}", b->x, b->y, b->z));
-    if (!shown->matched.empty()) lines.push_back("matched before: " + shown->matched);
+      lines.push_back(fmt::format("brightness, this / {}:   R {:.2f}   G {:.2f}   B {:.2f}", comparison.name,
+                                  b->x, b->y, b->z));
+    if (!shown->matched.empty())
+      lines.push_back("matched before measuring: " + shown->matched + " (Compare > Match)");
   }
   return lines;
 }
@@ -188,7 +210,14 @@ void ComparisonOverlay::show(Studio& studio, const PaneRect& pane, const PaneRec
     const float width = ImGui::CalcTextSize(line.c_str()).x;
     // In a narrow pane the lines come below the label.
     if (is_named && at.x - width < label_end && std::abs(at.y - label_at.y) < row) at.y = label_at.y + row;
-    draw_text({std::max(pane.begin.x + corner.x, at.x - width), at.y}, colour::text, line);
+    const vec2 text_at(std::max(pane.begin.x + corner.x, at.x - width), at.y);
+    // Readable on the grey of a difference and across the picture's edge.
+    constexpr unsigned veil = 0xa0000000;
+    const vec2 margin(scaled(4), scaled(1));
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        to_im(text_at - margin), to_im(text_at + vec2(width, ImGui::GetTextLineHeight()) + margin), veil,
+        scaled(3));
+    draw_text(text_at, colour::text, line);
     at.y += row;
   }
 }

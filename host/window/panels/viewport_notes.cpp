@@ -117,8 +117,10 @@ void show_pixel(const DevelopedPtr& shown, const PaneRect& picture, const PaneRe
   const float depth = frame.depth[pixel];
   const std::string value = shown->map_error ? fmt::format("|dT| {:.4f}", shown->map_error->pixels[pixel])
                                              : fmt::format("{:.4f} {:.4f} {:.4f}", c.x, c.y, c.z);
+  // A quick picture has fewer pixels: the place is told in those of the one at rest.
+  const ivec2 at(share * vec2(shown->picture->scene.width, shown->picture->scene.height));
   const std::string text =
-      fmt::format("{:4} {:4}   {}   a {:.3f}{}", x, y, value, 1.0f - (t.x + t.y + t.z) / 3.0f,
+      fmt::format("{:4} {:4}   {}   a {:.3f}{}", at.x, at.y, value, 1.0f - (t.x + t.y + t.z) / 3.0f,
                   std::isfinite(depth) ? fmt::format("   z {:.4g} m", depth) : "");
   ImGui::PushFont(fonts().fixed);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());

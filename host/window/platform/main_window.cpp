@@ -62,7 +62,17 @@ std::string key_name(int key, int scancode) {
 
 namespace {
 
+// A part of the window that is not on the screen cannot be reached.
+ivec2 on_screen(ivec2 size) {
+  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  if (!monitor) return size;
+  ivec2 place(0), room(0);
+  glfwGetMonitorWorkarea(monitor, &place.x, &place.y, &room.x, &room.y);
+  return room.x > 0 && room.y > 0 ? glm::min(size, room) : size;
+}
+
 GLFWwindow* make_window(const std::string& title, ivec2 size) {
+  size = on_screen(size);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);

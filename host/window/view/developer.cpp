@@ -69,6 +69,25 @@ std::vector<std::uint8_t> difference_bytes(const Image& a, const Image& b) {
   return bytes;
 }
 
+// The mean of the pixels that each of fewer pixels covers.
+Image shrunk(const Image& image, int width, int height) {
+  Image small = make_image(width, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const int x0 = x * image.width / width, x1 = std::max(x0 + 1, (x + 1) * image.width / width);
+      const int y0 = y * image.height / height, y1 = std::max(y0 + 1, (y + 1) * image.height / height);
+      for (std::size_t c = 0; c < 3; ++c) {
+        double sum = 0.0;
+        for (int v = y0; v < y1; ++v)
+          for (int u = x0; u < x1; ++u)
+            sum += image.channels[c].values[std::size_t(v) * std::size_t(image.width) + std::size_t(u)];
+        small.channels[c].values[std::size_t(y) * std::size_t(width) + std::size_t(x)] =
+            float(sum / double((x1 - x0) * (y1 - y0)));
+      }
+    }
+  return small;
+}
+
 // A picture at a place [-] of its sides, between the four pixels around it.
 vec3 sampled(const Frame& frame, float x, float y) {
   const float u = std::clamp(x * float(frame.width) - 0.5f, 0.0f, float(frame.width - 1));
@@ -121,14 +140,32 @@ std::optional<vec3> balance_of(const PicturePair& pair, const Frame& frame) {
   return vec3(sum / reference);
 }
 
+// The layer that is seen, where a picture from a file does not have it; else empty.
+std::string lacking_layer(const Development& how) {
+  if (!how.against_file) return "";
+  const ReadPicture& file = how.against_file->picture;
+  for (const std::string& light : how.solo)
+    if (std::ranges::find(file.frame.lights, light, &LightLayer::name) == file.frame.lights.end())
+      return light;
+  if (!file.has_ambient && (how.solo_ambient || how.layer == "ambient")) return "ambient";
+  if (!file.has_emission && how.layer == "emission") return "emission";
+  if (!file.has_alpha && how.layer == "alpha") return "alpha";
+  return how.layer == "depth" ? "depth" : "";
+}
+
 void measure(Developed& developed, const Image& image, const ViewPicture& picture, const Development& how) {
+  developed.lacks = lacking_layer(how);
+  if (!developed.lacks.empty()) return;
   developed.other = how.against_file ? matched_picture(picture, how, developed.matched) : how.against;
   const Image reference = visible_layers(developed.other->frame, how);
   const PicturePair pair = pair_pictures(image, reference);
   const PixelMetrics metrics = pixel_metrics(pair);
   developed.psnr = metrics.psnr;
   developed.ssim = ssim(pair, metrics.peak);
-  developed.balance = balance_of(pair, picture.frame);
+  // What is matched would hide how far the light is off.
+  developed.balance = balance_of(
+      developed.other == how.against ? pair : pair_pictures(image, visible_layers(how.against->frame, how)),
+      picture.frame);
   if (how.seen == Seen::difference) developed.bytes = difference_bytes(image, reference);
   if (how.seen == Seen::flip) {
     const FlipResult seen =
@@ -184,7 +221,7 @@ Image visible_layers(const Frame& frame, const Development& how) {
   return image;
 }
 
-DevelopedPtr develop(const ViewPicturePtr& picture, const Development& how) {
+DevelopedPtr develop(const ViewPicturePtr& picture, const Development& how, const ViewPicturePtr& matched) {
   auto developed = std::make_shared<Developed>();
   developed->picture = picture;
   developed->width = picture->frame.width;
@@ -209,6 +246,13 @@ DevelopedPtr develop(const ViewPicturePtr& picture, const Development& how) {
   if (how.against && !picture->quick && how.against->frame.width == developed->width &&
       how.against->frame.height == developed->height)
     measure(*developed, image, *picture, how);
+  // While a hand is on, a rough difference still says which way to go.
+  const SceneSnapshot& scene = picture->scene;
+  if (how.against && picture->quick && how.seen == Seen::difference && lacking_layer(how).empty() &&
+      how.against->frame.width == scene.width && how.against->frame.height == scene.height) {
+    const Image other = visible_layers((matched ? matched : how.against)->frame, how);
+    developed->bytes = difference_bytes(image, shrunk(other, developed->width, developed->height));
+  }
   return developed;
 }
 
@@ -245,6 +289,7 @@ void Developer::forget() {
 }
 
 void Developer::run() {
+  ViewPicturePtr matched, matched_from;  // the other picture as it was measured last, and as it came
   for (;;) {
     ViewPicturePtr picture;
     Development how;
@@ -255,8 +300,12 @@ void Developer::run() {
       picture = std::move(waiting_);
       how = how_;
     }
-    DevelopedPtr developed = develop(picture, how);
+    DevelopedPtr developed = develop(picture, how, how.against == matched_from ? matched : nullptr);
     if (!developed) continue;
+    if (developed->other || !how.against) {
+      matched = developed->other;
+      matched_from = how.against;
+    }
     {
       const std::lock_guard lock(mutex_);
       developed_ = std::move(developed);

@@ -49,16 +49,18 @@ struct MapError {
 };
 
 struct Developed {
-  int width = 0, height = 0;          // [pixels]
-  std::vector<std::uint8_t> bytes;    // r g b, top row first
-  ViewPicturePtr picture;             // that it was made of
-  std::optional<double> psnr;         // [dB] of linear radiance against the other picture, see metrics.h
-  std::optional<double> ssim;         // [-] likewise
-  std::optional<double> flip;         // [-] mean, where it is what is seen
-  std::optional<vec3> balance;        // [-] how bright each channel is, as a share of the other picture's
+  int width = 0, height = 0;        // [pixels]
+  std::vector<std::uint8_t> bytes;  // r g b, top row first
+  ViewPicturePtr picture;           // that it was made of
+  std::optional<double> psnr;       // [dB] of linear radiance against the other picture, see metrics.h
+  std::optional<double> ssim;       // [-] likewise
+  std::optional<double> flip;       // [-] mean, where it is what is seen
+  std::optional<vec3> balance;      // [-] how bright each channel is, as a share of the other picture's as it
+                                    // came, not as it was matched
   std::optional<MapError> map_error;  // likewise
   ViewPicturePtr other;               // that it was measured against, as it was matched; null: it was not
   std::string matched;                // what was done to the other for that; empty: nothing
+  std::string lacks;                  // the layer that is seen and that the other does not have: not measured
   std::string error;                  // why the view could not be used; then it is sRGB
 };
 using DevelopedPtr = std::shared_ptr<const Developed>;
@@ -68,7 +70,9 @@ using DevelopedPtr = std::shared_ptr<const Developed>;
 Image visible_layers(const Frame& frame, const Development& how);
 
 /// The picture, looked at so; null where it is light and an error is asked for, or the other way round.
-DevelopedPtr develop(const ViewPicturePtr& picture, const Development& how);
+/// matched: the other picture as it was matched last, against which a quick one is held; null: as it is.
+DevelopedPtr develop(const ViewPicturePtr& picture, const Development& how,
+                     const ViewPicturePtr& matched = nullptr);
 
 class Developer {
  public:

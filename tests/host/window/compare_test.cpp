@@ -49,6 +49,15 @@ TEST(Wipe, TheLineCutsThePictureWhereItIsAndAsItIsTurned) {
   EXPECT_NEAR(one + area(wipe.other_side(begin, size)), 400.0f * 200.0f, 1.0f);
 }
 
+TEST(Wipe, APolygonIsCutToWhereAPictureLies) {
+  const std::vector<vec2> square = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+  EXPECT_NEAR(area(clipped(square, {2, 3}, {5, 20})), 5.0f * 7.0f, 1e-4f);
+  EXPECT_NEAR(area(clipped(square, {-5, -5}, {50, 50})), 100.0f, 1e-4f);
+  EXPECT_TRUE(clipped(square, {20, 0}, {5, 5}).empty());
+  EXPECT_NEAR(area(clipped({{0, 0}, {10, 0}, {0, 10}}, {0, 0}, {5, 5})), 25.0f, 1e-4f)
+      << "to a corner of its edge";
+}
+
 TEST(Wipe, TurnsToWhereAGripIsDragged) {
   const vec2 begin(0.0f), size(200.0f);
   Wipe wipe;
@@ -112,6 +121,11 @@ TEST(ReadPicture, TakesALayerAColourSpaceAndAnExposure) {
   EXPECT_EQ(colour_layers(image), (std::vector<std::string>{"", "key"}));
   EXPECT_EQ(read_picture(image, "", "auto", 0.0f).frame.beauty[3], vec3(0.5f));
   EXPECT_EQ(read_picture(image, "key", "linear", 1.0f).frame.beauty[3], vec3(0.5f));
+  const ReadPicture layered = read_picture(image, "", "linear", 1.0f);
+  ASSERT_EQ(layered.frame.lights.size(), 1u);
+  EXPECT_EQ(layered.frame.lights[0].name, "key");
+  EXPECT_EQ(layered.frame.lights[0].radiance[3], vec3(0.5f));
+  EXPECT_FALSE(layered.has_ambient);
   EXPECT_NEAR(read_picture(image, "", "srgb", 0.0f).frame.beauty[3].x, 0.21404f, 1e-4f);
   try {
     read_picture(image, "kez", "auto", 0.0f);

@@ -299,6 +299,71 @@ TEST(Development, TellsHowBrightEachChannelOfTheMediumIsAgainstAnotherPicture) {
   EXPECT_FALSE(develop(half_seen(vec3(0.4f)), how)->balance) << "there is no green to be a share of";
 }
 
+TEST(Development, ABalanceIsThatOfAFileAsItCame) {
+  const auto file = std::make_shared<FilePicture>();
+  file->picture.frame = half_seen(vec3(0.2f))->frame;
+  file->picture.has_alpha = true;
+  Development how;
+  how.against = half_seen(vec3(0.2f));
+  how.against_file = file;
+  const DevelopedPtr seen = develop(half_seen(vec3(0.4f)), how);
+  ASSERT_TRUE(seen->balance);
+  EXPECT_FALSE(seen->matched.empty());
+  EXPECT_NEAR(seen->balance->x, 2.0f, 1e-4f) << "what is matched would hide it";
+}
+
+TEST(Development, WhatAFileDoesNotHaveIsNotMeasured) {
+  const auto file = std::make_shared<FilePicture>();
+  file->picture.frame = half_seen(vec3(0.2f))->frame;
+  file->picture.frame.lights = {{"key", std::vector<vec3>(256, vec3(0.1f))}};
+  Development how;
+  how.against_file = file;
+  auto against = half_seen(vec3(0.2f));
+  against->frame.lights = file->picture.frame.lights;
+  how.against = against;
+  const auto picture = half_seen(vec3(0.4f));
+  picture->frame.lights = {{"key", std::vector<vec3>(256, vec3(0.1f))},
+                           {"rim", std::vector<vec3>(256, vec3(0.2f))}};
+  how.solo = {"rim"};
+  DevelopedPtr seen = develop(picture, how);
+  EXPECT_EQ(seen->lacks, "rim");
+  EXPECT_FALSE(seen->psnr);
+  how.solo = {"key"};
+  seen = develop(picture, how);
+  EXPECT_EQ(seen->lacks, "");
+  ASSERT_TRUE(seen->psnr);
+  EXPECT_TRUE(std::isinf(*seen->psnr)) << "the layers are the same";
+  how.solo.clear();
+  how.layer = "depth";
+  EXPECT_EQ(develop(picture, how)->lacks, "depth");
+}
+
+TEST(Development, AQuickPicturesDifferenceIsRoughButThere) {
+  Development how;
+  how.against = half_seen(vec3(0.2f));
+  how.seen = Seen::difference;
+  const auto whole = half_seen(vec3(0.2f));
+  whole->scene.width = whole->scene.height = 16;
+  auto quick = std::make_shared<ViewPicture>();
+  quick->quick = true;
+  quick->scene = whole->scene;
+  Frame& small = quick->frame;
+  small.width = small.height = 8;
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) {
+      vec3 sum(0.0f);
+      for (int k = 0; k < 4; ++k)
+        sum += whole->frame.beauty[std::size_t((2 * y + k / 2) * 16 + 2 * x + k % 2)] / 4.0f;
+      small.beauty.push_back(sum);
+    }
+  small.transmittance.assign(64, vec3(0.0f));
+  small.depth.assign(64, 1.0f);
+  small.ambient = small.emission = small.background = std::vector<vec3>(64, vec3(0.0f));
+  const DevelopedPtr seen = develop(quick, how);
+  EXPECT_FALSE(seen->psnr) << "what is measured is at rest or on its way there";
+  for (const std::uint8_t byte : seen->bytes) EXPECT_NEAR(byte, 128, 1) << "grey: it agrees";
+}
+
 TEST(Development, ShowsLightsAloneLayersAndAlpha) {
   Frame frame;
   frame.width = 2;
