@@ -2,6 +2,8 @@
 #include "host/graph/commands/session.h"
 
 #include <algorithm>
+#include <chrono>
+#include <future>
 
 #include "core/files/atomic_file.h"
 #include "core/scene/nearest_word.h"
@@ -183,6 +185,15 @@ std::vector<NodeId> Session::import_scene(const std::string& path, const std::st
   return report.nodes;
 }
 
+// A disk may take seconds to confirm: where somebody looks on, what is looked at goes on being drawn. What
+// has begun is not cancelled.
+static void wait_beside(const std::function<bool(double)>& on_progress, const std::function<void()>& work) {
+  if (!on_progress) return work();
+  std::future<void> done = std::async(std::launch::async, work);
+  while (done.wait_for(std::chrono::milliseconds(10)) != std::future_status::ready) on_progress(0.0);
+  done.get();
+}
+
 void Session::save_scene(const std::string& path) {
   const std::string target =
       path.empty() ? scene_path_ : std::filesystem::absolute(path).lexically_normal().string();
@@ -192,7 +203,8 @@ void Session::save_scene(const std::string& path) {
                      " was made by a newer version and is read-only here: save it under another name");
   tell(SceneMoment::before_save, target);
   try {
-    graph::save_scene(target, write_scene(graph_, std::filesystem::path(target).parent_path()));
+    const std::string text = write_scene(graph_, std::filesystem::path(target).parent_path());
+    wait_beside(on_progress, [&] { graph::save_scene(target, text); });
   } catch (const FileError& error) {
     throw GraphError(std::string("save: ") + error.what());
   }

@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -106,9 +107,12 @@ class ViewRenderer::Thread {
                                                     owner_.waiting_->scene.width != request.scene.width ||
                                                     owner_.waiting_->scene.height != request.scene.height));
   }
-  bool is_stopping() const {
+  // Whether other media are to be seen than those of the request: its picture is of no use any more.
+  bool is_of_another_scene(const ViewRequest& request) const {
     const std::lock_guard lock(owner_.mutex_);
-    return owner_.stopping_;
+    if (owner_.stopping_) return true;
+    return owner_.waiting_ && !std::ranges::equal(owner_.waiting_->scene.media, request.scene.media, {},
+                                                  &Medium::name, &Medium::name);
   }
   void tell_share(double share) const {
     const std::lock_guard lock(owner_.mutex_);
@@ -139,7 +143,7 @@ class ViewRenderer::Thread {
     return true;
   }
 
-  // A quick picture is finished whatever comes: else a hand that never rests would see none.
+  // A quick picture of a scene is finished whatever is tuned: else a hand that never rests would see none.
   void render_quick(const ViewRequest& request) {
     SceneSnapshot scene = request.scene;
     // Biased: see map_power(). What is shown at rest builds its own.
@@ -156,7 +160,7 @@ class ViewRenderer::Thread {
     const Clock::time_point begin = Clock::now();
     Frame frame = render(scene, Passes(1), [&](double share) {
       tell_share(share);
-      return !is_stopping();
+      return !is_of_another_scene(request);
     });
     const RenderStats& stats = renderer_->stats();
     cost_.took_view(size, milliseconds_since(begin) - stats.map_ms - stats.upload_ms);

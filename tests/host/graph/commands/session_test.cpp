@@ -125,6 +125,16 @@ TEST(Session, FewerStepsThanAskedForAreTold) {
   EXPECT_EQ(notes, std::vector<std::string>{"undo: there were 2 steps, not 5"});
 }
 
+TEST(Session, WhoLooksOnIsToldOfASaveAndOfItsFailure) {
+  const TemporaryFolder folder;
+  TestSession s;
+  s.on_progress = [](double) { return false; };
+  s.run("createNode sum -name x");
+  s.run("save " + (folder / "a.plinian"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "a.plinian")) << "what has begun is not cancelled";
+  EXPECT_NE(s.refusal("save " + (folder / "nowhere/a.plinian")).find("save: "), std::string::npos);
+}
+
 TEST(Session, AnExportNamesTheConnectionsThatItLeavesOut) {
   const TemporaryFolder folder;
   TestSession s;
