@@ -41,7 +41,8 @@ TEST(ProgramCache, KeepsThoseOfTheLastPictureAndAFewMore) {
   EXPECT_TRUE(glIsProgram(six));
   cache.end_picture();
   cache.end_picture();
-  EXPECT_EQ(cache.size(), 2u) << "of an empty picture";
+  EXPECT_EQ(cache.size(), 1u) << "of an empty picture";
+  EXPECT_EQ(name(7), seven);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ class ProgramCache {
 
   /// Made where it is not there; valid until the end of the picture. Throws as make_compute_program() does.
   PacedProgram& get(const gl::Defines& defines);
-  /// Lets go of those that were not used for longest.
+  /// Lets go of those that were not used for longest; of a picture that used none, of all but the last.
   void end_picture();
   std::size_t size() const { return entries_.size(); }
 
