@@ -1,6 +1,6 @@
-// The programs of a pass, one for each set of defines that a scene asked for. Beside those of the last picture
-// only a few are kept: whoever tries out media, lights and encodings for a day would keep them all, and in
-// llvmpipe one takes two MiB and more.
+// The programs of a pass, one for each set of defines that a scene asked for. Beside those of the last
+// picture only a few are kept: whoever tries out media, lights and encodings for a day would keep them all,
+// and in llvmpipe one takes two MiB and more.
 #pragma once
 
 #include <list>

@@ -122,7 +122,8 @@ TEST_F(BadCommand, AddedAttributesSayWhatIsWrongWithThem) {
       "path, float2, float3, float4, colour, matrix, distance, angle, time, node, ramp, compound, data");
   EXPECT_EQ(s.refusal("addAttr e z -type flaot"),
             "addAttr: unknown attribute type 'flaot' (did you mean 'float'?)");
-  EXPECT_EQ(s.refusal("addAttr e 2z"), "addAttr: '2z' cannot name an attribute: a letter or _, then letters, digits and _");
+  EXPECT_EQ(s.refusal("addAttr e 2z"),
+            "addAttr: '2z' cannot name an attribute: a letter or _, then letters, digits and _");
   EXPECT_EQ(s.refusal("addAttr e z -type enum"),
             "addAttr: an enum needs its choices: -choices off,low:10,high");
   EXPECT_EQ(s.refusal("addAttr e z -type data"),
