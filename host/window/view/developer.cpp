@@ -127,14 +127,16 @@ ViewPicturePtr matched_picture(const ViewPicture& picture, const Development& ho
   return other;
 }
 
-// Where the picture has a medium; the sky is as bright as it is.
-std::optional<vec3> balance_of(const PicturePair& pair, const Frame& frame) {
+// Where the picture has a medium, without what is seen through it: the sky is as bright as it is.
+std::optional<vec3> balance_of(const PicturePair& pair, const Frame& frame, const Frame& other,
+                               const Development& how) {
   constexpr float least_alpha = 0.01f;
+  const bool has_sky = sees_beauty(how);
   dvec3 sum(0.0), reference(0.0);
   for (std::size_t i = 0; i < pair.a.size(); ++i)
     if (pair.valid[i] && alpha_of(frame.transmittance[i]) > least_alpha) {
-      sum += dvec3(pair.a[i]);
-      reference += dvec3(pair.reference[i]);
+      sum += dvec3(pair.a[i] - (has_sky ? frame.background[i] : vec3(0.0f)));
+      reference += dvec3(pair.reference[i] - (has_sky ? other.background[i] : vec3(0.0f)));
     }
   if (!(reference.x > 0.0 && reference.y > 0.0 && reference.z > 0.0)) return std::nullopt;
   return vec3(sum / reference);
@@ -163,9 +165,10 @@ void measure(Developed& developed, const Image& image, const ViewPicture& pictur
   developed.psnr = metrics.psnr;
   developed.ssim = ssim(pair, metrics.peak);
   // What is matched would hide how far the light is off.
-  developed.balance = balance_of(
-      developed.other == how.against ? pair : pair_pictures(image, visible_layers(how.against->frame, how)),
-      picture.frame);
+  const bool as_it_came = developed.other == how.against;
+  developed.balance =
+      balance_of(as_it_came ? pair : pair_pictures(image, visible_layers(how.against->frame, how)),
+                 picture.frame, how.against->frame, how);
   if (how.seen == Seen::difference) developed.bytes = difference_bytes(image, reference);
   if (how.seen == Seen::flip) {
     const FlipResult seen =
