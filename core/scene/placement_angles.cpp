@@ -21,17 +21,41 @@ double distance(const dvec3& a, const dvec3& b) {
   return std::abs(a.x - b.x) + std::abs(a.y - b.y) + std::abs(a.z - b.z);
 }
 
-// Without what a matrix and its inverse leave behind the digits that are meant.
-dvec3 tidied(dvec3 v) {
-  const double size = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  if (!(size > 0.0)) return dvec3(0.0);
-  const int decimals = std::clamp(11 - int(std::floor(std::log10(size))), 0, 300);
-  const double unit = std::pow(10.0, decimals);
-  for (int i = 0; i < 3; ++i) v[i] = std::round(v[i] * unit) / unit + 0.0;  // no -0
-  return v;
+dvec3 rounded(const dvec3& v, double per_unit) {
+  return glm::round(v * per_unit) / per_unit + 0.0;  // no -0
 }
 
 }  // namespace
+
+dvec3 tidied(const dvec3& v) {
+  const double size = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  if (!(size > 0.0)) return dvec3(0.0);
+  return rounded(v, std::pow(10.0, std::clamp(11 - int(std::floor(std::log10(size))), 0, 300)));
+}
+
+dvec3 direction_of(const vec3& toward) {
+  // Between the unit sphere and the box of what rounds to the vector, until both hold.
+  dvec3 direction = glm::normalize(dvec3(toward));
+  for (int turn = 0; turn < 1000 && vec3(direction) != toward; ++turn) {
+    for (int i = 0; i < 3; ++i) {
+      const double below = 0.5 * (double(std::nextafter(toward[i], -2.0f)) - double(toward[i]));
+      const double above = 0.5 * (double(std::nextafter(toward[i], 2.0f)) - double(toward[i]));
+      direction[i] =
+          std::clamp(direction[i], double(toward[i]) + 0.9 * below, double(toward[i]) + 0.9 * above);
+    }
+    direction = glm::normalize(direction);
+  }
+  return direction;
+}
+
+dvec3 short_angles_toward(const vec3& toward) {
+  const dvec3 angles = angles_toward(direction_of(toward));
+  for (double per_degree = 1.0; per_degree < 1e12; per_degree *= 10.0) {
+    const dvec3 shorter = rounded(angles, per_degree);
+    if (vec3(dvec3(rotation_xyz(shorter)[2])) == toward) return shorter;
+  }
+  return angles;
+}
 
 dmat3 turning_part(const dmat3& matrix) {
   dmat3 q = matrix / std::cbrt(std::abs(glm::determinant(matrix)));

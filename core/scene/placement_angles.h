@@ -7,6 +7,17 @@
 
 namespace plinian {
 
+/// Without what a matrix and its inverse leave behind the digits that are meant: 12 digits of the largest.
+dvec3 tidied(const dvec3& v);
+
+/// The direction of which a vector of floats is the rounding: a unit vector that rounds to it where there is
+/// one. toward: not 0.
+dvec3 direction_of(const vec3& toward);
+
+/// The shortest angles [degrees] about x and y that turn +z to a direction as it is in floats: -42, not
+/// -42.000001061274496. toward: unit.
+dvec3 short_angles_toward(const vec3& toward);
+
 /// The orthonormal matrix that is nearest to a regular one (its polar factor): how it turns, and mirrors,
 /// what it also stretches.
 dmat3 turning_part(const dmat3& matrix);

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/media/frame_sequence.h"
+#include "core/media/sequence_names.h"
 #include "core/scene/nearest_word.h"
 #include "core/scene/scene_loader.h"
 #include "host/cli/command.h"
@@ -173,16 +174,17 @@ class FrameJob {
   void tell_one_file() const {
     const fs::path input = arguments_.scene.input;
     if (input.extension() != ".vdb" || frames_.size() == 1 || FramePattern::parse(input.string())) return;
-    std::string name = input.filename().string();
-    const std::size_t end = name.find_last_of("0123456789");
-    if (end == name.npos) return;
-    const std::size_t before = name.find_last_not_of("0123456789", end),
-                      begin = before == name.npos ? 0 : before + 1;
-    name.replace(begin, end + 1 - begin, std::string(end + 1 - begin, '#'));
-    const auto pattern = FramePattern::parse((input.parent_path() / name).string());
-    if (pattern && pattern->frames_on_disk().size() > 1)
-      warn(fmt::format("{} is one file, which every frame shows; the sequence is {}", arguments_.scene.input,
-                       pattern->text()));
+    std::vector<std::string> names;
+    std::error_code error;
+    const fs::path folder = input.has_parent_path() ? input.parent_path() : fs::path(".");
+    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
+      names.push_back(at->path().filename().string());
+    for (const NameGroup& group : group_names(names))
+      if (group.members.size() > 1 && std::ranges::any_of(group.members, [&](std::size_t member) {
+            return names[member] == input.filename().string();
+          }))
+        warn(fmt::format("{} is one file, which every frame shows; the sequence is {}",
+                         arguments_.scene.input, (input.parent_path() / group.name).string()));
   }
 
   // A scene of its own says it all; what is made of a sequence is settled by what is there of it.

@@ -130,32 +130,29 @@ int run_variants(const RenderArguments& arguments) {
   nlohmann::ordered_json report = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < count; ++i) {
     // The last variation changes fastest.
-    std::string name;
-    std::vector<std::string> chosen_values(variations.size());
-    std::vector<SceneEdit> edits;
-    nlohmann::ordered_json values;
+    std::vector<SceneEdit> edits(variations.size());
     for (std::size_t v = variations.size(), rest = i; v-- > 0;) {
-      const Variation& variation = variations[v];
-      const std::string& value = variation.values[rest % variation.values.size()];
-      rest /= variation.values.size();
-      edits.push_back({variation.key, value, "--vary " + variation.key});
-      chosen_values[v] = value;
-      name = variation.key + "=" + value + (name.empty() ? "" : ", ") + name;
-      values[variation.key] = value;
+      const std::vector<std::string>& values = variations[v].values;
+      edits[v] = {variations[v].key, values[rest % values.size()], "--vary " + variations[v].key};
+      rest /= values.size();
     }
-    const auto label_of = [&](auto text_of) {
+    // A line for each picture, of what is said of each edit.
+    const auto line_of = [&](const auto& said) {
       std::vector<std::string> parts;
-      for (std::size_t v = 0; v < variations.size(); ++v)
-        parts.push_back(short_name(variations[v], variations) + " " +
-                        text_of(variations[v].key, chosen_values[v]));
+      for (std::size_t v = 0; v < edits.size(); ++v) parts.push_back(said(variations[v], edits[v]));
       return join(parts);
     };
-    std::string label = label_of([](const std::string&, const std::string& asked) { return asked; });
+    std::string label = line_of([&](const Variation& variation, const SceneEdit& edit) {
+      return short_name(variation, variations) + " " + edit.value;
+    });
+    nlohmann::ordered_json values;
+    for (const SceneEdit& edit : edits) values[edit.key] = edit.value;
     nlohmann::ordered_json one = {{"values", values}};
     try {
       for (const SceneEdit& edit : edits) apply_edit(*scene.workspace, edit);
-      label = label_of([&](const std::string& key, const std::string& asked) {
-        return settled_text(scene.workspace->session(), key, asked);
+      label = line_of([&](const Variation& variation, const SceneEdit& edit) {
+        return short_name(variation, variations) + " " +
+               settled_text(scene.workspace->session(), edit.key, edit.value);
       });
       const SceneSnapshot snapshot = take_snapshot(scene);
       const Picture picture =
@@ -170,6 +167,8 @@ int run_variants(const RenderArguments& arguments) {
       throw;
     } catch (const std::exception& reason) {
       // The others are worth having all the same.
+      const std::string name =
+          line_of([](const Variation&, const SceneEdit& edit) { return edit.key + "=" + edit.value; });
       error(fmt::format("--vary {}: {}", name, reason.what()));
       failed.push_back(pictures.size());
       pictures.push_back({0, 0, {}, label});

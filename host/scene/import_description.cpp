@@ -11,6 +11,7 @@
 
 #include "core/media/frame_sequence.h"
 #include "core/scene/medium_loader.h"
+#include "core/scene/placement_angles.h"
 #include "core/scene/scene_loader.h"
 #include "core/scene/scene_parameters.h"
 #include "host/graph/graph_error.h"
@@ -26,20 +27,6 @@ using graph::quote;
 using graph::write_number;
 
 namespace {
-
-dvec3 rounded(const dvec3& degrees, double per_degree) {
-  return glm::round(degrees * per_degree) / per_degree + 0.0;  // no -0
-}
-
-// The shortest angles that turn +z to the direction as it is in floats: -42, not -42.000001061274496.
-dvec3 short_angles_toward(const vec3& toward) {
-  const dvec3 angles = angles_toward(direction_of(toward));
-  for (double per_degree = 1.0; per_degree < 1e12; per_degree *= 10.0) {
-    const dvec3 shorter = rounded(angles, per_degree);
-    if (vec3(dvec3(rotation_xyz(shorter)[2])) == toward) return shorter;
-  }
-  return angles;
-}
 
 std::string words_of(float value) {
   return write_number(value);
@@ -336,7 +323,7 @@ class Importer {
   void fill_camera(const Camera& camera) {
     const std::string& node = camera_node_;
     set(node + ".translate", dvec3(camera.world_from_camera[3]));
-    set(node + ".rotate", rounded(angles_of(camera.world_from_camera), 1e9));
+    set(node + ".rotate", tidied(angles_of(camera.world_from_camera)));
     set(node + ".focal_length", camera.focal_length);
     set(node + ".film_back", camera.film_back);
     set_word(node + ".film_fit", word_of(camera_parameters(), "film_fit", camera.fit));
@@ -387,21 +374,6 @@ std::string node_name_of(const std::string& name) {
     if (!std::isalnum((unsigned char)c) && c != '_') c = '_';
   if (result.empty() || std::isdigit((unsigned char)result[0])) result.insert(0, "_");
   return result;
-}
-
-dvec3 direction_of(const vec3& toward) {
-  // Between the unit sphere and the box of what rounds to the vector, until both hold.
-  dvec3 direction = glm::normalize(dvec3(toward));
-  for (int turn = 0; turn < 1000 && vec3(direction) != toward; ++turn) {
-    for (int i = 0; i < 3; ++i) {
-      const double below = 0.5 * (double(std::nextafter(toward[i], -2.0f)) - double(toward[i]));
-      const double above = 0.5 * (double(std::nextafter(toward[i], 2.0f)) - double(toward[i]));
-      direction[i] =
-          std::clamp(direction[i], double(toward[i]) + 0.9 * below, double(toward[i]) + 0.9 * above);
-    }
-    direction = glm::normalize(direction);
-  }
-  return direction;
 }
 
 ImportReport import_description(graph::Session& session, const SceneDescription& description,

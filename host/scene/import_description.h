@@ -42,8 +42,4 @@ ImportReport import_description(graph::Session& session, const SceneDescription&
 /// A node name made of any name: what cannot stand in one becomes _.
 std::string node_name_of(const std::string& name);
 
-/// The direction of which a vector of floats is the rounding: a unit vector that rounds to it where there is
-/// one. toward: not 0.
-dvec3 direction_of(const vec3& toward);
-
 }  // namespace plinian::scene

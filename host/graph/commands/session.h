@@ -116,6 +116,9 @@ struct ScriptInterrupted : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A line of a script holds no more. [bytes]
+inline constexpr std::size_t longest_script_line = std::size_t(16) << 20;
+
 /// Runs the lines of a script, each as it comes. next: empty at the end. name: of the file, for errors.
 /// Throws GraphError that names file and line, and ScriptInterrupted. answer: is given the lines that
 /// commands answer with. on_error: where there is one, it is told of a line that fails, and the script goes
@@ -123,8 +126,6 @@ struct ScriptInterrupted : std::runtime_error {
 void run_script(Session& session, const std::function<std::optional<std::string>()>& next,
                 const std::string& name, const std::function<void(const std::string&)>& answer,
                 const std::function<void(const std::string&)>& on_error = {});
-/// A line of a script holds no more. [bytes]
-inline constexpr std::size_t longest_script_line = std::size_t(16) << 20;
 /// ... of a text.
 void run_script(Session& session, std::string_view text, const std::string& name,
                 const std::function<void(const std::string&)>& answer);

@@ -1,8 +1,6 @@
 // Asks the evaluator's workers.
 #include "host/window/fields/driven_values.h"
 
-#include <set>
-
 #include "host/graph/graph_error.h"
 #include "host/graph/model/conversion.h"
 
@@ -54,13 +52,9 @@ double DrivenValues::number(graph::Session& session, const graph::Plug& plug) {
     }
     return known;
   }
-  bool& is_asked = state_->is_asked[plug];
-  if (is_asked) return known;
-  is_asked = true;
-  ++state_->asked;
+  if (!state_->asked.insert(plug).second) return known;
   session.evaluator().request(drivers, [state = state_, plug](const graph::Evaluator::Outcome&) {
-    state->is_asked[plug] = false;
-    --state->asked;
+    state->asked.erase(plug);
     state->has_news = true;  // also where an edit overtook it: then it is asked for again
   });
   return known;

@@ -4,6 +4,8 @@
 
 #include <map>
 #include <memory>
+#include <set>
+#include <utility>
 
 #include "host/graph/commands/session.h"
 
@@ -14,16 +16,15 @@ class DrivenValues {
   /// As it is now, or, while that is being computed, as it was last. 0 before the first, and where it failed.
   double number(graph::Session& session, const graph::Plug& plug);
   /// Whether something is being computed.
-  bool is_waiting() const { return state_->asked > 0; }
+  bool is_waiting() const { return !state_->asked.empty(); }
   /// Whether values have come since the last call.
   bool take_news() { return std::exchange(state_->has_news, false); }
 
  private:
   // Outlives this while a worker computes.
   struct State {
-    int asked = 0;  // requests in flight
+    std::set<graph::Plug> asked;  // requests in flight
     bool has_news = false;
-    std::map<graph::Plug, bool> is_asked;
   };
   std::shared_ptr<State> state_ = std::make_shared<State>();
   std::map<graph::Plug, double> known_;

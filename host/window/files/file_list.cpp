@@ -12,7 +12,7 @@
 #include <ctime>
 #include <memory>
 
-#include "host/window/files/sequence_names.h"
+#include "core/media/sequence_names.h"
 
 namespace plinian::window {
 

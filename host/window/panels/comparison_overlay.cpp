@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/window/panels/fitted.h"
 #include "host/window/panels/overlay_text.h"
 #include "host/window/platform/theme.h"
 
@@ -33,16 +34,6 @@ void add_image_polygon(ImDrawList* list, ImTextureID texture, const std::vector<
   for (const vec2& corner : polygon)
     list->PrimWriteVtx(to_im(corner), to_im((corner - place.begin) / place.size), 0xffffffff);
   list->PopTextureID();
-}
-
-// Where a picture of that many pixels lies within a place: the whole of it where the shapes agree but for the
-// rounding to pixels.
-PaneRect fitted(const PaneRect& place, vec2 pixels) {
-  if (std::abs(pixels.x * place.size.y - pixels.y * place.size.x) <=
-      pixels.x + pixels.y + place.size.x + place.size.y)
-    return place;
-  const vec2 size = pixels * std::min(place.size.x / pixels.x, place.size.y / pixels.y);
-  return {place.begin + (place.size - size) * 0.5f, size};
 }
 
 std::string size_text(ivec2 size) {
@@ -128,12 +119,10 @@ void ComparisonOverlay::show_wipe(Studio& studio, const PaneRect& picture, bool 
 void ComparisonOverlay::draw_whole(const PaneRect& place) const {
   const DevelopedPtr& shown = texture_.shown();
   if (!shown) return;
-  const float scale = std::min(place.size.x / float(shown->width), place.size.y / float(shown->height));
-  const vec2 size = vec2(shown->width, shown->height) * scale;
-  const vec2 begin = place.begin + (place.size - size) * 0.5f;
+  const PaneRect picture = fitted(place, vec2(shown->width, shown->height));
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(to_im(place.begin), to_im(place.begin + place.size), 0xff0e0e0e);
-  list->AddImage(texture_id(texture_), to_im(begin), to_im(begin + size));
+  list->AddImage(texture_id(texture_), to_im(picture.begin), to_im(picture.begin + picture.size));
 }
 
 std::vector<std::string> comparison_lines(const Studio& studio, const DevelopedPtr& shown) {

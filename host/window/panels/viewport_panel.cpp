@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/window/panels/fitted.h"
 #include "host/window/panels/overlay_text.h"
 #include "host/window/panels/viewport_notes.h"
 #include "host/window/platform/theme.h"
@@ -120,17 +121,10 @@ void ViewportPanel::show(Studio& studio, Drawings& drawings, const PaneRect& pan
   PaneRect shown = picture_;  // where the picture lies
   if (texture_.name() != 0) {
     // A picture of another shape than the pane's keeps its own until the next one is there.
-    const Frame& frame = texture_.shown()->picture->frame;
     const SceneSnapshot& scene = texture_.shown()->picture->scene;
-    vec2 begin = picture_.begin, size = picture_.size;
-    if (std::abs(float(scene.width) * size.y - float(scene.height) * size.x) > size.x + size.y) {
-      const float scale = std::min(size.x / float(frame.width), size.y / float(frame.height));
-      size = vec2(frame.width, frame.height) * scale;
-      begin = picture_.begin + (picture_.size - size) * 0.5f;
-    }
-    fill_around(pane, {begin, size});
-    show_image(drawings, begin, size, float(pixel_ratio));
-    shown = {begin, size};
+    shown = fitted(picture_, vec2(scene.width, scene.height));
+    fill_around(pane, shown);
+    show_image(drawings, shown.begin, shown.size, float(pixel_ratio));
   } else {
     fill_around(pane, {pane.begin, vec2(0.0f)});
   }

@@ -4,6 +4,7 @@
 
 #include "core/media/vdb_writer.h"
 #include "core/scene/medium_loader.h"
+#include "core/scene/placement_angles.h"
 #include "core/scene/scene_loader.h"
 #include "tests/host/scene/test_workspace.h"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "core/media/frame_sequence.h"
-#include "host/window/files/sequence_names.h"
+#include "core/media/sequence_names.h"
 #include "tests/core/scene/temporary_folder.h"
 
 namespace plinian::window {

@@ -1,5 +1,5 @@
 // Splits names at their numbers.
-#include "host/window/files/sequence_names.h"
+#include "core/media/sequence_names.h"
 
 #include <algorithm>
 #include <cctype>
@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-namespace plinian::window {
+namespace plinian {
 
 namespace {
 
@@ -93,4 +93,4 @@ std::vector<NameGroup> group_names(const std::vector<std::string>& names) {
   return groups;
 }
 
-}  // namespace plinian::window
+}  // namespace plinian

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace plinian::window {
+namespace plinian {
 
 struct NameGroup {
   std::string name;                  // "smoke.####.vdb", as FramePattern reads it; the name where it is alone
@@ -17,4 +17,4 @@ struct NameGroup {
 /// all: equally padded, or none of them padded. Versions ("ash_v2.vdb") are no frames. In no order.
 std::vector<NameGroup> group_names(const std::vector<std::string>& names);
 
-}  // namespace plinian::window
+}  // namespace plinian
