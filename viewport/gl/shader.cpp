@@ -6,6 +6,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "viewport/gl/unroll.h"
+
 namespace plinian::gl {
 namespace {
 
@@ -38,7 +40,9 @@ void append_text(std::string_view text, Seen& seen, std::string& out) {
       if (included.starts_with("core/shared/") || included.starts_with("viewport/passes/"))
         append_file(included, seen, out);
     } else if (!line.starts_with(system)) {
-      out += line;
+      const std::size_t comment = line.find("//");
+      out += line.substr(0, comment);
+      if (comment != line.npos) out += '\n';
     }
   }
 }
@@ -50,8 +54,17 @@ std::string with_defines(std::string_view text, const Defines& defines, std::str
   return out;
 }
 
-Program compile(std::string_view path, const std::string& source) {
-  const char* text = source.c_str();
+std::string written_out(std::string_view path, std::string source, const Defines& defines) {
+  try {
+    return unroll(std::move(source), defines);
+  } catch (const std::exception& error) {
+    throw std::runtime_error(std::string(path) + ": " + error.what());
+  }
+}
+
+Program compile(std::string_view path, const std::string& source, const Defines& defines) {
+  const std::string whole = written_out(path, source, defines);
+  const char* text = whole.c_str();
   Program program(glCreateShaderProgramv(GL_COMPUTE_SHADER, 1, &text));
   GLint linked = 0;
   if (program) glGetProgramiv(program.name(), GL_LINK_STATUS, &linked);
@@ -76,11 +89,11 @@ std::string shader_part(std::string_view path, const Defines& defines) {
 }
 
 Program make_compute_program_from(std::string_view name, std::string_view text, const Defines& defines) {
-  return compile(name, with_defines(text, defines, version_line));
+  return compile(name, with_defines(text, defines, version_line), defines);
 }
 
 Program make_compute_program(std::string_view path, const Defines& defines) {
-  return compile(path, shader_source(path, defines));
+  return compile(path, shader_source(path, defines), defines);
 }
 
 }  // namespace plinian::gl

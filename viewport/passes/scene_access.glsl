@@ -45,25 +45,9 @@ MapData the_map = u_maps[0];
 int map_resolution = u_maps[0].resolution;
 #define MAP_RESOLUTION map_resolution
 
-// Loops over one thing are no loops: llvmpipe keeps what they index in memory instead of registers.
-#if MEDIA_COUNT == 1
-const int m = 0;
-#define FOR_MEDIA
-#else
-#define FOR_MEDIA for (int m = 0; m < MEDIA_COUNT; ++m)
-#endif
-#if LIGHT_COUNT == 1
-const int l = 0;
-#define FOR_LIGHTS
-#else
-#define FOR_LIGHTS for (int l = 0; l < LIGHT_COUNT; ++l)
-#endif
-#if GROUP_COUNT == 1
-const int g = 0;
-#define FOR_GROUPS
-#else
-#define FOR_GROUPS for (int g = 0; g < GROUP_COUNT; ++g)
-#endif
+#unroll FOR_MEDIA m MEDIA_COUNT
+#unroll FOR_LIGHTS l LIGHT_COUNT
+#unroll FOR_GROUPS g GROUP_COUNT
 #define MEDIA_CAPACITY MEDIA_COUNT
 #define LIGHT_CAPACITY max(LIGHT_COUNT, 1)  // no array may be empty
 
