@@ -14,6 +14,7 @@ layout(location = 1) uniform ivec2 u_first;  // texel of the first invocation
 
 void main() {
   const int scene = 0;
+  copy_scene();
   ivec2 texel = u_first + spread_group(gl_WorkGroupID.xy) * 16 + ivec2(gl_LocalInvocationID.xy);
   if (texel.x >= MAP_RESOLUTION || texel.y >= MAP_RESOLUTION) return;
   vec2 uv = (vec2(texel) + 0.5) / float(MAP_RESOLUTION);

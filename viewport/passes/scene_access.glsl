@@ -19,21 +19,17 @@ layout(binding = 2 + MEDIA_COUNT) uniform usamplerBuffer u_nodes[MEDIA_COUNT];
 layout(binding = 2 + 2 * MEDIA_COUNT) uniform sampler3D u_density[MEDIA_COUNT];
 layout(binding = 2 + 3 * MEDIA_COUNT) uniform sampler3D u_temperature[MEDIA_COUNT];
 
-// What there is one of is copied once: llvmpipe reads a uniform for each lane alone wherever it is named, in the
-// innermost loop too.
 #define PLN_SCENE int scene
-#if MEDIA_COUNT == 1
-MediumData the_medium = u_media[0];
-#define MEDIUM(m) the_medium
-#else
-#define MEDIUM(m) u_media[m]
-#endif
-#if LIGHT_COUNT == 1
-LightData the_light = u_lights[0];
-#define LIGHT(l) the_light
-#else
-#define LIGHT(l) u_lights[l]
-#endif
+#unroll FOR_MEDIA m MEDIA_COUNT
+#unroll FOR_LIGHTS l LIGHT_COUNT
+#unroll FOR_GROUPS g GROUP_COUNT
+
+// What is named by constants once loops are written out is copied first: llvmpipe reads a uniform for each lane alone
+// wherever it is named, in the innermost loop too. A map's number is a constant only where there is one.
+MediumData the_media[MEDIA_COUNT];
+LightData the_lights[max(LIGHT_COUNT, 1)];
+#define MEDIUM(m) the_media[m]
+#define LIGHT(l) the_lights[l]
 #if MAP_COUNT == 1
 MapData the_map = u_maps[0];
 #define MAP(i) the_map
@@ -41,13 +37,16 @@ MapData the_map = u_maps[0];
 #define MAP(i) u_maps[i]
 #endif
 
+// Main calls this before anything else.
+void copy_scene() {
+  FOR_MEDIA the_media[m] = u_media[m];
+  FOR_LIGHTS the_lights[l] = u_lights[l];
+}
+
 // Not a define: quick maps are as large as the time allows, and a program for each size would take longer than they.
 int map_resolution = u_maps[0].resolution;
 #define MAP_RESOLUTION map_resolution
 
-#unroll FOR_MEDIA m MEDIA_COUNT
-#unroll FOR_LIGHTS l LIGHT_COUNT
-#unroll FOR_GROUPS g GROUP_COUNT
 #define MEDIA_CAPACITY MEDIA_COUNT
 #define LIGHT_CAPACITY max(LIGHT_COUNT, 1)  // no array may be empty
 

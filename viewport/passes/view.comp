@@ -31,6 +31,7 @@ void add_plane(ivec2 pixel, int plane, vec4 value) {
 
 void main() {
   const int scene = 0;
+  copy_scene();
   // Lanes side by side make a block of 4 x 2 pixels: rays of a SIMD group stay close in both directions.
   int lane = int(gl_LocalInvocationIndex);
   ivec2 inside = ivec2((lane & 3) | ((lane >> 1) & 12), ((lane >> 2) & 1) | ((lane >> 4) & 14));
