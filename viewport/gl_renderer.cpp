@@ -273,7 +273,8 @@ Frame GlRenderer::render_once(const SceneSnapshot& scene, const Passes& passes, 
       gpu_->volumes.clear();
       gpu_->batches.clear();
       gpu_->exact_batches.clear();
-      gpu_->end_picture();
+      gpu_->map_pass.clear();
+      gpu_->view_pass.clear();
     }
     stats_.volume_bytes = stats_.map_bytes = 0;
     return empty_frame(scene);

@@ -145,7 +145,6 @@ void Interface::turn() {
   }
   if (studio_.commands.has_work()) {
     studio_.commands.work_off();
-    studio_.renderer.tidy();
     redraws_ = 2;
     note_phase("commands");
   }

@@ -41,8 +41,11 @@ TEST(ProgramCache, KeepsThoseOfTheLastPictureAndAFewMore) {
   EXPECT_TRUE(glIsProgram(six));
   cache.end_picture();
   cache.end_picture();
-  EXPECT_EQ(cache.size(), 1u) << "of an empty picture";
+  EXPECT_EQ(cache.size(), 2u) << "a picture whose maps were there";
   EXPECT_EQ(name(7), seven);
+  cache.clear();
+  EXPECT_EQ(cache.size(), 0u);
+  EXPECT_NE(name(7), 0u);
 }
 
 }  // namespace

@@ -17,12 +17,9 @@ PacedProgram& ProgramCache::get(const gl::Defines& defines) {
 }
 
 void ProgramCache::end_picture() {
-  // Nothing is seen: what comes next is of another scene, or, in a sequence, like what was seen last.
-  const bool is_empty = std::ranges::none_of(entries_, &Entry::used);
   std::size_t unused = 0;
-  std::erase_if(entries_, [&, spare = is_empty ? 1 : spare_](Entry& entry) {
-    return !std::exchange(entry.used, false) && ++unused > spare;
-  });
+  std::erase_if(entries_,
+                [&](Entry& entry) { return !std::exchange(entry.used, false) && ++unused > spare_; });
 }
 
 }  // namespace plinian::passes

@@ -20,8 +20,9 @@ class ProgramCache {
 
   /// Made where it is not there; valid until the end of the picture. Throws as make_compute_program() does.
   PacedProgram& get(const gl::Defines& defines);
-  /// Lets go of those that were not used for longest; of a picture that used none, of all but the last.
+  /// Lets go of those that were not used for longest.
   void end_picture();
+  void clear() { entries_.clear(); }
   std::size_t size() const { return entries_.size(); }
 
  private:

@@ -1,7 +1,6 @@
 // The renderer's thread.
 #include "host/window/view/view_renderer.h"
 
-#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -58,14 +57,6 @@ void ViewRenderer::ask(ViewRequest request) {
     asked_hand_on_ = request.hand_on;
     asked_light_maps_ = request.light_maps;
     waiting_ = std::move(request);
-  }
-  news_.notify_all();
-}
-
-void ViewRenderer::tidy() {
-  {
-    const std::lock_guard lock(mutex_);
-    is_tidy_ = false;
   }
   news_.notify_all();
 }
@@ -261,8 +252,6 @@ class ViewRenderer::Thread {
 void ViewRenderer::run() {
   step_back();
   Thread thread(*this);
-  // The planes of pictures are kept for the next ones (see main.cpp). Where none follows, they go back.
-  constexpr std::chrono::seconds rest(2);
   for (;;) {
     ViewRequest request;
     {
@@ -271,18 +260,7 @@ void ViewRenderer::run() {
       lock.unlock();
       wake_();
       lock.lock();
-      const auto is_news = [&] { return stopping_ || waiting_; };
-      while (!is_news()) {
-        if (is_tidy_) {
-          news_.wait(lock);
-        } else if (!news_.wait_for(lock, rest, is_news)) {
-          is_tidy_ = true;
-          lock.unlock();
-          malloc_trim(0);
-          lock.lock();
-        }
-      }
-      is_tidy_ = false;
+      news_.wait(lock, [&] { return stopping_ || waiting_; });
       if (stopping_) return;
       request = std::move(*waiting_);
       waiting_.reset();

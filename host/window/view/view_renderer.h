@@ -57,8 +57,6 @@ class ViewRenderer {
   /// Takes the place of the request before. One for the same number and size only tells whether a hand is on
   /// and whether light maps are wanted.
   void ask(ViewRequest request);
-  /// Much was let go of: memory goes back to the system when no picture is asked for.
-  void tidy();
   /// The newest picture, or null before the first.
   ViewPicturePtr picture() const;
 
@@ -86,7 +84,6 @@ class ViewRenderer {
   ViewPicturePtr picture_;
   Status status_;
   bool stopping_ = false;
-  bool is_tidy_ = true;  // memory that is not used has been given back
   std::thread thread_;
 };
 
