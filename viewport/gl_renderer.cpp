@@ -81,6 +81,7 @@ class GlRenderer final : public Renderer {
  private:
   bool context_lost();
   void make_context_again();
+  void let_go();
   std::vector<const passes::VolumeTextures*> upload(const FlatScene& flat);
   std::shared_ptr<const std::string> kept_text(std::string text);
   void publish(const FlatScene& flat, BatchState& batch);
@@ -263,19 +264,22 @@ void GlRenderer::make_context_again() {
   while (glGetError() != GL_NO_ERROR) continue;
 }
 
+// Gives everything back. Of what is only deleted, llvmpipe keeps what was bound last until something else is
+// rendered (maps of 25 MiB of three lights), and compiled programs.
+void GlRenderer::let_go() {
+  gpu_.reset();
+  if (!own_context_) return;
+  context_.reset();
+  context_.emplace();
+}
+
 Frame GlRenderer::render_once(const SceneSnapshot& scene, const Passes& passes, const Progress& progress) {
   if (context_lost()) throw ContextLost();
   const FlatScene whole = flatten(scene);
   stats_.begin_picture();
   if (whole.media.empty()) {
     // Nothing of the scene before is kept: it may be large, and is not known to come again.
-    if (gpu_) {
-      gpu_->volumes.clear();
-      gpu_->batches.clear();
-      gpu_->exact_batches.clear();
-      gpu_->map_pass.clear();
-      gpu_->view_pass.clear();
-    }
+    if (gpu_) let_go();
     stats_.volume_bytes = stats_.map_bytes = 0;
     return empty_frame(scene);
   }

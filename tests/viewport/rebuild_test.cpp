@@ -1,7 +1,10 @@
 // What an edit costs, in counters.
 #include <cmath>
+#include <fstream>
+#include <string>
 
 #include "tests/viewport/scenes.h"
+#include "viewport/gl/egl_context.h"
 #include "viewport/gl_renderer.h"
 
 namespace plinian::test {
@@ -81,6 +84,29 @@ TEST_F(Edits, TheSamePictureComesBackToTheBitAfterAnEditIsTakenBack) {
   renderer->render(edited, 1);
   const Frame again = renderer->render(scene, 1);
   EXPECT_EQ(largest_difference(before, again), 0.0);
+}
+
+// [bytes] of memory of this process that is no file's.
+double resident_bytes() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("RssAnon:")) return 1024.0 * std::stod(line.substr(8));
+  return 0.0;
+}
+
+TEST_F(Edits, AnEmptySceneGivesBackWhatTheSceneBeforeTook) {
+  if (gl::describe_current_context().find("llvmpipe") == std::string::npos)
+    GTEST_SKIP() << "maps are not in this process";
+  scene.quality.map.resolution = 1024;
+  const Frame large = renderer->render(scene, 1);
+  const auto map_bytes = double(renderer->stats().map_bytes);
+  ASSERT_GT(map_bytes, 3e7);
+  const double with = resident_bytes();
+  SceneSnapshot empty = scene;
+  empty.media.clear();
+  renderer->render(empty, 1);
+  EXPECT_LT(resident_bytes(), with - 0.9 * map_bytes);
+  EXPECT_EQ(largest_difference(large, renderer->render(scene, 1)), 0.0);
 }
 
 TEST_F(Edits, ACancelledPictureLeavesTheRendererAbleToMakeTheNext) {

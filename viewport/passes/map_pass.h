@@ -17,8 +17,6 @@ class MapPass {
              const std::function<bool()>& go_on);
   /// To be called behind the last pass of a picture: see ProgramCache.
   void end_picture() { programs_.end_picture(); }
-  /// Lets go of all programs.
-  void clear() { programs_.clear(); }
 
  private:
   ProgramCache programs_{"viewport/passes/map_pass.comp"};

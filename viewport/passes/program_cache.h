@@ -22,7 +22,6 @@ class ProgramCache {
   PacedProgram& get(const gl::Defines& defines);
   /// Lets go of those that were not used for longest.
   void end_picture();
-  void clear() { entries_.clear(); }
   std::size_t size() const { return entries_.size(); }
 
  private:
