@@ -341,7 +341,7 @@ void Interface::show_panels() {
   show_view_strip(studio_, above);
   if (studio_.show_panels) {
     outliner_.show(studio_, panes.outliner);
-    lights_.show(studio_, panes.lights);
+    lights_.show(studio_, panes.lights, attributes_.driven);
     attributes_.show(studio_, panes.attributes);
     timeline_.show(studio_, panes.timeline);
     if (sizes_.shows_nodes)

@@ -54,6 +54,14 @@ std::string short_unit(const std::string& unit) {
   return unit == "degrees" ? "°" : unit.size() <= 6 ? unit : "";
 }
 
+// Why it cannot be edited; empty where it can.
+std::string why_not(const AttributeRow& row) {
+  std::string why;
+  if (!row.driver.empty()) why = "Driven by " + row.driver + ".";
+  if (row.locked) why += why.empty() ? "Locked." : "\nLocked.";
+  return why;
+}
+
 std::string tooltip(const graph::Graph& graph, const AttributeRow& row) {
   const graph::AttributeSpec& spec = graph.attribute(row.plug).spec;
   std::string text = row.name;
@@ -64,8 +72,7 @@ std::string tooltip(const graph::Graph& graph, const AttributeRow& row) {
     facts += "Range: " + (spec.minimum ? shown_number(*spec.minimum) : "-∞") + " to " +
              (spec.maximum ? shown_number(*spec.maximum) : "∞") + ".  ";
   if (!facts.empty()) text += "\n" + facts;
-  if (!row.driver.empty()) text += "\nDriven by " + row.driver + ".";
-  if (row.locked) text += "\nLocked.";
+  if (const std::string why = why_not(row); !why.empty()) text += "\n" + why;
   return text;
 }
 
@@ -280,40 +287,12 @@ void AttributePanel::show_numbers(Studio& studio, const AttributeRow& row, float
     studio.keep_hand_on();
   if (is_colour) {
     ImGui::SameLine(0.0f, gap);
-    show_colour(studio, row);
+    ColourField field{.name = row.name, .plug = row.plug};
+    for (std::size_t i = 0; i < 3; ++i) field.linear[int(i)] = float(number_now(studio, row, row.parts[i]));
+    field.enabled = row.driver.empty() && !row.locked && !whole.read_only;
+    field.help = why_not(row);
+    picker_.show(studio, field);
   }
-}
-
-void AttributePanel::show_colour(Studio& studio, const AttributeRow& row) {
-  vec3 linear;
-  for (int i = 0; i < 3; ++i) linear[i] = float(number_now(studio, row, row.parts[std::size_t(i)]));
-  const float brightest = std::max({linear.x, linear.y, linear.z, 1.0f});
-  vec3 shown = display_colour(linear / brightest);
-  const ImVec4 colour(shown.x, shown.y, shown.z, 1.0f);
-  const float side = ImGui::GetFrameHeight();
-  if (ImGui::ColorButton("##swatch", colour, ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoAlpha,
-                         {side, side}) &&
-      row.driver.empty() && !row.locked) {
-    ImGui::OpenPopup("picker");
-    merge_key_ = studio.commands.new_merge_key("colour");
-  }
-  if (!ImGui::BeginPopup("picker")) return;
-  ImGui::SetNextItemWidth(scaled(220));
-  if (ImGui::ColorPicker3("##picker", &shown.x,
-                          ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_DisplayRGB |
-                              ImGuiColorEditFlags_DisplayHSV | ImGuiColorEditFlags_PickerHueBar)) {
-    const vec3 picked = linear_colour(shown) * brightest;
-    send(studio, row.plug,
-         graph::write_number(picked.x) + " " + graph::write_number(picked.y) + " " +
-             graph::write_number(picked.z),
-         merge_key_);
-    studio.keep_hand_on();
-  }
-  if (ImGui::IsItemDeactivated()) {
-    studio.commands.end_drag();
-    merge_key_ = studio.commands.new_merge_key("colour");
-  }
-  ImGui::EndPopup();
 }
 
 }  // namespace plinian::window

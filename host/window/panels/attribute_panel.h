@@ -6,6 +6,7 @@
 
 #include "host/window/fields/attribute_rows.h"
 #include "host/window/fields/driven_values.h"
+#include "host/window/panels/colour_picker.h"
 #include "host/window/panels/widgets.h"
 #include "host/window/studio.h"
 
@@ -24,12 +25,12 @@ class AttributePanel {
   void show_row(Studio& studio, const AttributeRow& row);
   void show_value(Studio& studio, const AttributeRow& row, float width);
   void show_numbers(Studio& studio, const AttributeRow& row, float width);
-  void show_colour(Studio& studio, const AttributeRow& row);
 
   std::uint64_t generation_ = ~std::uint64_t(0);
   graph::NodeId node_;
   std::vector<AttributeGroup> groups_;
   std::string merge_key_;  // of the drag under way
+  ColourPicker picker_;
 };
 
 }  // namespace plinian::window

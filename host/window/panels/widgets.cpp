@@ -251,10 +251,4 @@ vec3 display_colour(const vec3& linear) {
   return colour;
 }
 
-vec3 linear_colour(const vec3& display) {
-  vec3 colour;
-  for (int i = 0; i < 3; ++i) colour[i] = shared::linear_from_srgb(std::clamp(display[i], 0.0f, 1.0f));
-  return colour;
-}
-
 }  // namespace plinian::window

@@ -58,8 +58,7 @@ void note_item(Trace& trace, const std::string& name);
 /// Help on what is under the pointer, after a moment.
 void help(const std::string& text);
 
-/// The colour of a display for a linear one, brought into range; and back.
+/// The colour of a display for a linear one, brought into range.
 vec3 display_colour(const vec3& linear);
-vec3 linear_colour(const vec3& display);
 
 }  // namespace plinian::window
