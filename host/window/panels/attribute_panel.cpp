@@ -11,6 +11,7 @@
 #include "host/scene/looks.h"
 #include "host/window/fields/arithmetic.h"
 #include "host/window/fields/edit_lines.h"
+#include "host/window/panels/field_row.h"
 #include "host/window/panels/grid_field.h"
 #include "host/window/panels/path_field.h"
 #include "host/window/platform/theme.h"
@@ -124,7 +125,10 @@ void AttributePanel::show(Studio& studio, const PaneRect& pane) {
     ImGui::PopStyleColor();
     if (group.depth == 1) hidden_under = !open;
     if (!open) continue;
-    for (const AttributeRow& row : group.rows) show_row(studio, row);
+    for (const AttributeRow& row : group.rows) {
+      show_row(studio, row);
+      if (row.plug.attribute == node->schema->find("rotate")) angles_.show(studio, *node, driven);
+    }
     ImGui::Dummy({0.0f, scaled(4)});
   }
   end_pane();
@@ -133,21 +137,9 @@ void AttributePanel::show(Studio& studio, const PaneRect& pane) {
 void AttributePanel::show_row(Studio& studio, const AttributeRow& row) {
   const graph::Graph& graph = studio.session().graph();
   ImGui::PushID(row.name.c_str());
-  const float whole = ImGui::GetContentRegionAvail().x;
-  const float mark = scaled(16), label = std::round(whole * 0.41f);
+  const float whole = ImGui::GetContentRegionAvail().x, mark = field_mark_width();
   const ImVec2 begin = ImGui::GetCursorScreenPos();
-  ImGui::AlignTextToFramePadding();
-  ImGui::PushClipRect(begin, {begin.x + label - scaled(4), begin.y + ImGui::GetFrameHeight()}, true);
-  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + scaled(14));
-  if (row.changed)
-    ImGui::TextUnformatted(row.label.c_str());
-  else
-    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(0xffb4b0ae), "%s", row.label.c_str());
-  ImGui::PopClipRect();
-  help(tooltip(graph, row));
-  ImGui::SameLine();
-  ImGui::SetCursorScreenPos({begin.x + label, begin.y});
-  const float width = whole - label - mark;
+  const float width = field_label(row.label, row.changed, tooltip(graph, row));
   ImGui::BeginGroup();
   show_value(studio, row, width);
   ImGui::EndGroup();

@@ -6,6 +6,7 @@
 
 #include "host/window/fields/attribute_rows.h"
 #include "host/window/fields/driven_values.h"
+#include "host/window/panels/angle_rows.h"
 #include "host/window/panels/colour_picker.h"
 #include "host/window/panels/widgets.h"
 #include "host/window/studio.h"
@@ -31,6 +32,7 @@ class AttributePanel {
   std::vector<AttributeGroup> groups_;
   std::string merge_key_;  // of the drag under way
   ColourPicker picker_;
+  AngleRows angles_;
 };
 
 }  // namespace plinian::window

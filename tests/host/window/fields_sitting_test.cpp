@@ -144,5 +144,58 @@ TEST_F(FieldsSitting, TheLightListChoosesColoursBrighterThanADisplay) {
   wait_and_keep("colour-5-before.png");
 }
 
+TEST_F(FieldsSitting, ALightIsPlacedByAzimuthAndElevation) {
+  select("key");
+  const std::string original = saved("original.plinian");
+  const ivec4 azimuth = sitting_->item("key azimuth"), rotate = sitting_->item("key.rotate");
+  EXPECT_GT(azimuth.y, rotate.y);
+  EXPECT_LT(azimuth.y, sitting_->item("key.rotate_order").y);
+  wait_and_keep("angles-1.png");
+
+  // A drag is one step of undo, and echoed as what it sets.
+  std::size_t before = sitting_->now();
+  sitting_->drag(sitting_->middle("key azimuth"), sitting_->middle("key azimuth") + ivec2(-40, 0));
+  sitting_->wait_for("ran setAttr key.rotate.y ", before);
+  sitting_->wait_for(" still", sitting_->now() - 1);
+  sitting_->keep("angles-2-dragged.png");
+  EXPECT_NE(saved("dragged.plinian"), original);
+  before = sitting_->now();
+  sitting_->stroke("Control_L+z");
+  sitting_->wait_for("ran undo", before);
+  EXPECT_EQ(saved("undone.plinian"), original);
+
+  // Typed, also as a change of what was there; 270 is 90 from the other side.
+  const auto type = [&](const char* item, const char* text, const std::string& command) {
+    sitting_->click(sitting_->middle(item));
+    sitting_->wait_for_keys("keys to a field");
+    const std::size_t before = sitting_->now();
+    sitting_->stroke("Control_L+a");
+    sitting_->type(text);
+    sitting_->stroke("Return");
+    sitting_->wait_for("ran " + command, before);
+    sitting_->wait_for_keys("keys to the window");
+  };
+  type("key elevation", "35", "setAttr key.rotate.x -35");
+  type("key azimuth", "20", "setAttr key.rotate.y 20");
+  type("key azimuth", "+=30", "setAttr key.rotate.y 50");
+  type("key azimuth", "270", "setAttr key.rotate.y -90");
+  type("key elevation", "200", "setAttr key.rotate.x -90");
+  wait_and_keep("angles-3-above.png");
+  type("key elevation", "10", "setAttr key.rotate.x -10");
+
+  // What is locked stays, and the other can be turned.
+  command(*sitting_, "lockAttr key.rotate.y");
+  leave_fields(*sitting_, {640, 694});
+  before = sitting_->now();
+  sitting_->drag(sitting_->middle("key azimuth"), sitting_->middle("key azimuth") + ivec2(60, 0));
+  sitting_->move(sitting_->middle("key azimuth"));
+  sitting_->wait_for_mouse(sitting_->middle("key azimuth"), 0);
+  wait_and_keep("angles-4-locked.png");
+  sitting_->drag(sitting_->middle("key elevation"), sitting_->middle("key elevation") + ivec2(60, 0));
+  const std::size_t turned = sitting_->wait_for("ran setAttr key.rotate.x ", before);
+  for (std::size_t i = before; i < turned; ++i)
+    EXPECT_EQ(sitting_->line(i).find("ran "), std::string::npos) << sitting_->line(i);
+}
+
 }  // namespace
 }  // namespace plinian
