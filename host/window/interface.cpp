@@ -306,6 +306,7 @@ void Interface::show_dialogs() {
   if (std::exchange(studio_.ask_playblast, false)) playblast_dialog_.open(studio_);
   playblast_dialog_.show(studio_);
   if (const auto chosen = palette_.show(studio_)) act(*chosen);
+  if (auto field = palette_.take_field()) attributes_.seek(std::move(*field));
   show_unsaved_question(studio_);
   show_recovery(studio_);
   show_hotkey_list(studio_);

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "host/graph/graph_error.h"
 #include "host/graph/model/conversion.h"
@@ -14,6 +15,7 @@
 #include "host/window/panels/field_row.h"
 #include "host/window/panels/grid_field.h"
 #include "host/window/panels/path_field.h"
+#include "host/window/panels/typing.h"
 #include "host/window/platform/theme.h"
 
 namespace plinian::window {
@@ -93,8 +95,40 @@ void AttributePanel::refresh(Studio& studio) {
   if (const graph::Node* node = graph.find(node_)) groups_ = attribute_groups(graph, *node);
 }
 
+void AttributePanel::seek(std::string name) {
+  sought_ = std::move(name);
+  sought_for_ = 0;
+  is_in_sight_ = false;
+  expect_typing();
+}
+
+// Its node is selected with the next turn, or not at all.
+void AttributePanel::begin_seeking() {
+  constexpr int most = 8;
+  if (ImGui::IsMouseClicked(0) || ImGui::GetIO().MouseWheel != 0.0f) marked_.clear();
+  if (sought_.empty()) return;
+  if (++sought_for_ > most)
+    sought_.clear();
+  else
+    expect_typing();
+}
+
+bool AttributePanel::is_sought(const AttributeGroup& group) const {
+  return !sought_.empty() && std::any_of(group.rows.begin(), group.rows.end(),
+                                         [&](const AttributeRow& row) { return row.name == sought_; });
+}
+
+// Dear ImGui gives no keys to what was out of sight.
+void AttributePanel::find_sought(Studio& studio, const AttributeRow& row) {
+  if (!std::exchange(is_in_sight_, true)) return ImGui::SetScrollHereY(0.4f);
+  studio.trace.note("sought " + row.name);
+  want_typing(true);
+  marked_ = std::exchange(sought_, "");
+}
+
 void AttributePanel::show(Studio& studio, const PaneRect& pane) {
   refresh(studio);
+  begin_seeking();
   begin_pane("##attributes", pane);
   const graph::Graph& graph = studio.session().graph();
   const graph::Node* node = graph.find(node_);
@@ -115,9 +149,13 @@ void AttributePanel::show(Studio& studio, const PaneRect& pane) {
   help(node->type->spec().help);
   ImGui::Spacing();
   bool hidden_under = false;
-  for (const AttributeGroup& group : groups_) {
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    const AttributeGroup& group = groups_[g];
+    bool holds = is_sought(group);
+    for (std::size_t under = g + 1; under < groups_.size() && groups_[under].depth > group.depth; ++under)
+      holds |= is_sought(groups_[under]);
     if (group.depth > 1 && hidden_under) continue;
-    ImGui::SetNextItemOpen(group.open, ImGuiCond_Once);
+    ImGui::SetNextItemOpen(group.open || holds, holds ? ImGuiCond_Always : ImGuiCond_Once);
     ImGui::PushStyleColor(ImGuiCol_Header, ImVec4(0.0f, 0.0f, 0.0f, 0.0f));
     const bool open = ImGui::TreeNodeEx(group.title.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth |
                                                                  ImGuiTreeNodeFlags_NoTreePushOnOpen |
@@ -140,9 +178,16 @@ void AttributePanel::show_row(Studio& studio, const AttributeRow& row) {
   const float whole = ImGui::GetContentRegionAvail().x, mark = field_mark_width();
   const ImVec2 begin = ImGui::GetCursorScreenPos();
   const float width = field_label(row.label, row.changed, tooltip(graph, row));
+  if (row.name == sought_) find_sought(studio, row);
   ImGui::BeginGroup();
   show_value(studio, row, width);
   ImGui::EndGroup();
+  want_typing(false);
+  if (row.name == marked_)
+    ImGui::GetWindowDrawList()->AddRect(
+        {begin.x, begin.y - scaled(1)},
+        {begin.x + whole - mark, begin.y + ImGui::GetFrameHeight() + scaled(1)}, colour::accent,
+        ImGui::GetStyle().FrameRounding);
   studio.trace.item(row.name, vec2(ImGui::GetItemRectMin().x, ImGui::GetItemRectMin().y),
                     vec2(ImGui::GetItemRectSize().x, ImGui::GetItemRectSize().y));
   if (row.changed) {  // a mark that puts it back

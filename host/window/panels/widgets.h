@@ -43,6 +43,9 @@ FieldEdit number_field(const char* id, double value, const NumberRange& range, c
 std::optional<std::string> text_field(const char* id, const std::string& text, float width,
                                       bool enabled = true, const char* hint = "");
 
+/// The next field of a number or a text that is shown takes the keys; none where `wanted` is false.
+void want_typing(bool wanted);
+
 /// A button that is on or off. width: [points]; 0: the label's.
 bool toggle(const char* label, bool on, const char* help, float width = 0.0f);
 /// The width that a button with that label has. [points]
