@@ -302,9 +302,8 @@ void Interface::show_dialogs() {
     if (wish->question.folder.empty()) wish->question.folder = folder;
     file_dialog_.open(studio_, std::move(wish->question), std::move(wish->take));
   }
-  file_dialog_.show(studio_);
   if (std::exchange(studio_.ask_playblast, false)) playblast_dialog_.open(studio_);
-  playblast_dialog_.show(studio_);
+  if (!playblast_dialog_.show(studio_, file_dialog_)) file_dialog_.show(studio_);
   if (const auto chosen = palette_.show(studio_)) act(*chosen);
   if (auto field = palette_.take_field()) attributes_.seek(std::move(*field));
   show_unsaved_question(studio_);
