@@ -73,11 +73,13 @@ void ColourPicker::show(Studio& studio, const ColourField& field) {
       ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoAlpha | ImGuiColorEditFlags_NoDragDrop,
       {side, side});
   note_item(studio.trace, field.name + " swatch");
-  const bool clipped = std::max({field.linear.x, field.linear.y, field.linear.z}) > 1.0f;
-  if (clipped)  // a corner says so
-    ImGui::GetWindowDrawList()->AddTriangleFilled({at.x + side - 1.0f, at.y + 1.0f},
-                                                  {at.x + side - 1.0f, at.y + side * 0.45f},
-                                                  {at.x + side * 0.55f, at.y + 1.0f}, 0xff303030);
+  constexpr float worth_telling = 1.1f;  // of a colour of luminance 1 a channel is a little over 1
+  const bool clipped = std::max({field.linear.x, field.linear.y, field.linear.z}) > worth_telling;
+  if (clipped) {  // a corner says so
+    const float right = at.x + side - 1.0f, top = at.y + 1.0f, size = std::round(side * 0.4f);
+    ImGui::GetWindowDrawList()->AddTriangleFilled({right, top}, {right, top + size}, {right - size, top},
+                                                  0xff303030);
+  }
   help(!field.enabled ? field.help
                       : std::string("Chooses the colour. It is shown sRGB-encoded") +
                             (clipped ? ", up to 1: it is brighter than a display shows." : "."));
