@@ -174,13 +174,23 @@ void Interface::draw_meanwhile() {
   for (const Chord& chord : window_.take_keys())
     if (studio_.hotkeys.action(chord) == Action::cancel)
       window::act(studio_, Action::cancel);  // whoever has the keys
-    else if (const auto action = action_of(chord); action && is_of_the_view(*action))
+    else if (const auto action = action_of(chord); action && is_of_the_view(*action) && is_meant(chord))
       window::act(studio_, *action);
+  note_keys();
   studio_.update_picture();
+  if (is_typing_expected()) redraws_ = std::max(redraws_, 1);
   const bool is_due = redraws_ > 0 || std::chrono::steady_clock::now() - drawn_ > glance;
   if (!is_due || earliness() > 0.0) return;
   draw();
   --redraws_;
+}
+
+// Over a panel that takes nothing just now, whoever types letters means no hotkeys.
+bool Interface::is_meant(const Chord& chord) const {
+  if (chord.key.size() > 1 || chord.ctrl || chord.alt) return true;
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const vec2 at = vec2(mouse.x, mouse.y) - picture_.begin;
+  return at.x >= 0.0f && at.y >= 0.0f && at.x < picture_.size.x && at.y < picture_.size.y;
 }
 
 // Keys wait for a field that is about to take them.
@@ -194,14 +204,16 @@ void Interface::take_input() {
   for (const Chord& chord : window_.take_keys()) {
     if (const auto action = action_of(chord); action && !nodes_.take(*action)) act(*action);
   }
-  if (const bool typing = is_typing(); typing != typing_) {
-    typing_ = typing;
-    studio_.trace.note(typing ? "keys to a field" : "keys to the window");
-  }
+  note_keys();
   studio_.light_key_held = window_.is_held('L');
   for (const std::string& path : window_.take_dropped()) studio_.files.add(path);
   if (window_.take_close_request() || std::exchange(studio_.wants_quit, false))
     studio_.files.unless_unsaved([this] { studio_.quit = true; });
+}
+
+void Interface::note_keys() {
+  if (const bool typing = is_typing(); std::exchange(typing_, typing) != typing)
+    studio_.trace.note(typing ? "keys to a field" : "keys to the window");
 }
 
 // Where the mouse is seen, and which buttons are down (1 left, 2 right, 4 middle).
@@ -301,10 +313,10 @@ void Interface::show_dialogs() {
     if (wish->question.folder.empty()) wish->question.folder = folder;
     file_dialog_.open(studio_, std::move(wish->question), std::move(wish->take));
   }
-  file_dialog_.show(studio_);
   if (std::exchange(studio_.ask_playblast, false)) playblast_dialog_.open(studio_);
-  playblast_dialog_.show(studio_);
+  if (!playblast_dialog_.show(studio_, file_dialog_)) file_dialog_.show(studio_);
   if (const auto chosen = palette_.show(studio_)) act(*chosen);
+  if (auto field = palette_.take_field()) attributes_.seek(std::move(*field));
   show_unsaved_question(studio_);
   show_recovery(studio_);
   show_hotkey_list(studio_);
@@ -335,18 +347,22 @@ void Interface::show_panels() {
   above.size.y = strip;
   picture.begin.y += strip;
   picture.size.y = std::max(1.0f, picture.size.y - strip);
+  picture_ = picture;
   viewport_.show(studio_, drawings_, picture, window_.pixel_ratio());
   ImGui::BeginDisabled(busy);
   show_view_strip(studio_, above);
   if (studio_.show_panels) {
     outliner_.show(studio_, panes.outliner);
-    lights_.show(studio_, panes.lights);
+    lights_.show(studio_, panes.lights, attributes_.driven);
     attributes_.show(studio_, panes.attributes);
     timeline_.show(studio_, panes.timeline);
-    if (sizes_.shows_nodes)
+    if (sizes_.shows_nodes) {
       nodes_.show(studio_, panes.bottom);
-    else
+    } else {
+      ImGui::EndDisabled();  // what is typed meanwhile waits its turn
       console_.show(studio_, panes.bottom);
+      ImGui::BeginDisabled(busy);
+    }
     show_splitters(panes);
   }
   if (!studio_.show_panels || !sizes_.shows_nodes) nodes_.hide();

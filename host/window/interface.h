@@ -38,17 +38,20 @@ class Interface {
   void show_splitters(const Panes& panes);
   void show_dialogs();
   std::optional<Action> action_of(const Chord& chord) const;
+  bool is_meant(const Chord& chord) const;
   void act(Action action);
   void settle_title();
   void note_work(bool waited);
   void note_phase(const char* name);
   void note_mouse();
+  void note_keys();
   double patience() const;
   double earliness() const;
 
   MainWindow& window_;
   Studio& studio_;
   PaneSizes sizes_;
+  PaneRect picture_;  // where it was shown last
   Drawings drawings_;
   ViewportPanel viewport_;
   OutlinerPanel outliner_;

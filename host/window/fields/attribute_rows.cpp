@@ -14,6 +14,27 @@ using graph::Plug;
 
 namespace {
 
+bool has_row(const graph::AttributeSpec& spec) {
+  return !spec.output && !spec.hidden && !spec.array && spec.type != AttributeType::data &&
+         spec.type != AttributeType::matrix;
+}
+
+// A few numbers under one name read as a vector.
+bool is_row_of_numbers(const graph::Schema& schema, const graph::SchemaAttribute& attribute) {
+  return attribute.children.size() <= 4 &&
+         std::all_of(attribute.children.begin(), attribute.children.end(), [&](AttributeIndex child) {
+           return graph::is_number(schema[child].spec.type) && schema[child].spec.name.size() == 1;
+         });
+}
+
+void add_rows(const graph::Schema& schema, AttributeIndex index, std::vector<AttributeIndex>& rows) {
+  const graph::SchemaAttribute& attribute = schema[index];
+  if (!has_row(attribute.spec)) return;
+  if (attribute.spec.type != AttributeType::compound || is_row_of_numbers(schema, attribute))
+    return rows.push_back(index);
+  for (const AttributeIndex child : attribute.children) add_rows(schema, child, rows);
+}
+
 class Walk {
  public:
   Walk(const graph::Graph& graph, const graph::Node& node) : graph_(graph), node_(node) {}
@@ -28,9 +49,7 @@ class Walk {
 
  private:
   bool is_shown(const graph::AttributeSpec& spec) const {
-    if (spec.output || spec.hidden || spec.array || spec.type == AttributeType::data ||
-        spec.type == AttributeType::matrix)
-      return false;
+    if (!has_row(spec)) return false;
     if (spec.layout.shown_when.empty()) return true;
     const AttributeIndex other = node_.schema->find(spec.layout.shown_when);
     if (other == graph::no_attribute) return true;
@@ -38,15 +57,6 @@ class Walk {
     if (spec.layout.shown_words.empty()) return !now.empty() && now != "false" && now != "0";
     return std::find(spec.layout.shown_words.begin(), spec.layout.shown_words.end(), now) !=
            spec.layout.shown_words.end();
-  }
-
-  // A few numbers under one name read as a vector.
-  bool is_row_of_numbers(const graph::SchemaAttribute& attribute) const {
-    return attribute.children.size() <= 4 &&
-           std::all_of(attribute.children.begin(), attribute.children.end(), [&](AttributeIndex child) {
-             const graph::AttributeSpec& spec = (*node_.schema)[child].spec;
-             return graph::is_number(spec.type) && spec.name.size() == 1;
-           });
   }
 
   AttributeGroup& group(const std::string& title, int depth) {
@@ -60,7 +70,7 @@ class Walk {
     const graph::SchemaAttribute& attribute = (*node_.schema)[index];
     const graph::AttributeSpec& spec = attribute.spec;
     if (!is_shown(spec)) return;
-    if (spec.type == AttributeType::compound && !is_row_of_numbers(attribute)) {
+    if (spec.type == AttributeType::compound && !is_row_of_numbers(*node_.schema, attribute)) {
       const std::string title = above.empty() ? label_of(spec) : above + " · " + label_of(spec);
       group(title, depth + 1);
       for (const AttributeIndex child : attribute.children) add(child, title, depth + 1);
@@ -103,6 +113,12 @@ class Walk {
 
 std::vector<AttributeGroup> attribute_groups(const graph::Graph& graph, const graph::Node& node) {
   return Walk(graph, node).run();
+}
+
+std::vector<AttributeIndex> row_attributes(const graph::Schema& schema) {
+  std::vector<AttributeIndex> rows;
+  for (const AttributeIndex index : schema.top()) add_rows(schema, index, rows);
+  return rows;
 }
 
 std::string label_of(const graph::AttributeSpec& spec) {

@@ -30,6 +30,10 @@ struct AttributeGroup {
 /// computed or not to be shown while another attribute says so.
 std::vector<AttributeGroup> attribute_groups(const graph::Graph& graph, const graph::Node& node);
 
+/// Those of a type that have a row while nothing else keeps them from being shown, in the order in which they
+/// are declared.
+std::vector<graph::AttributeIndex> row_attributes(const graph::Schema& schema);
+
 /// "density_scale": "Density scale".
 std::string label_of(const graph::AttributeSpec& spec);
 

@@ -31,6 +31,7 @@ double rounded_to(double value, double grain) {
 }
 
 double within(const NumberRange& range, double value, bool inside) {
+  if (range.wraps) return wrapped(range, value);
   if (inside) value = std::clamp(value, *range.soft_minimum, *range.soft_maximum);
   if (range.minimum) value = std::max(value, *range.minimum);
   if (range.maximum) value = std::min(value, *range.maximum);
@@ -50,6 +51,11 @@ double dragged_factor(const NumberRange& range, double start, double points, Dra
 
 }  // namespace
 
+double wrapped(const NumberRange& range, double value) {
+  const double turn = *range.soft_maximum - *range.soft_minimum;
+  return value - turn * std::floor((value - *range.soft_minimum) / turn);
+}
+
 NumberRange range_of(const graph::AttributeSpec& spec) {
   NumberRange range{spec.minimum,
                     spec.maximum,
@@ -57,6 +63,7 @@ NumberRange range_of(const graph::AttributeSpec& spec) {
                     spec.soft_maximum,
                     spec.type == graph::AttributeType::integer,
                     spec.layout.widget == "factor",
+                    false,
                     spec.step};
   // A range that is closed on both sides is its own slider.
   if (!range.soft_minimum && (range.soft_maximum || range.maximum)) range.soft_minimum = range.minimum;

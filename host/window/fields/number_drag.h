@@ -13,9 +13,13 @@ struct NumberRange {
   std::optional<double> soft_minimum, soft_maximum;  // where a drag ends
   bool whole = false;                                // takes whole numbers only
   bool factor = false;                               // a drag multiplies: a widget "factor"
+  bool wraps = false;                                // the soft ends are one place, as of an angle
   double step = 0.0;                                 // that a drag goes in, from 0; 0: as round as its pace
 };
 NumberRange range_of(const graph::AttributeSpec& spec);
+
+/// The same place in a range that wraps, within it; the upper end is the lower one.
+double wrapped(const NumberRange& range, double value);
 
 /// The value after the mouse was dragged that far to the right since it was `start`. [points]. The soft range
 /// is crossed in 300 points; without one, or outside of it, 100 points are the value itself, or 1. A factor

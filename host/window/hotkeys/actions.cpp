@@ -67,6 +67,7 @@ bool is_of_the_view(Action action) {
     case Action::flip:
     case Action::toggle_display:
     case Action::toggle_panels:
+    case Action::console_line:
     case Action::node_editor:
     case Action::hotkey_list:
     case Action::cancel:

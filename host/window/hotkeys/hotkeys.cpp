@@ -110,8 +110,8 @@ Hotkeys::Hotkeys()
           entry(Action::toggle_panels, "panels", "Window", "the picture alone, or with panels", "Tab"),
           entry(Action::console_line, "console", "Window", "go to the command line", "Enter"),
           entry(Action::node_editor, "nodes", "Window", "the node editor, or the console again", "N"),
-          entry(Action::palette, "palette", "Window", "find an action, a command, a node or a look by name",
-                "Ctrl+Shift+P"),
+          entry(Action::palette, "palette", "Window",
+                "find an action, a node, an attribute, a command or a look", "Ctrl+Shift+P"),
           entry(Action::hotkey_list, "hotkeys", "Window", "this list", "F1"),
           entry(Action::cancel, "cancel", "Window", "stop what is running", "Escape"),
       } {}

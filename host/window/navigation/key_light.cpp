@@ -2,11 +2,10 @@
 #include "host/window/navigation/key_light.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "core/scene/framing.h"
 #include "core/scene/placement.h"
 #include "host/graph/values/value_text.h"
+#include "host/window/navigation/light_angles.h"
 
 namespace plinian::window {
 
@@ -15,7 +14,7 @@ namespace {
 constexpr double degrees_per_point = 0.5;
 
 bool can_be_turned(const graph::Node& node) {
-  return node.type->name() == "directionalLight" || node.type->name() == "spotLight";
+  return has_direction(node.type->name());
 }
 
 }  // namespace
@@ -30,13 +29,12 @@ graph::NodeId light_to_turn(const graph::Graph& graph) {
 }
 
 dvec3 turned_light(const dvec3& rotation, dvec2 points) {
-  const dvec3 toward(rotation_xyz(rotation)[2]);
-  const double azimuth = glm::degrees(std::atan2(toward.x, toward.z)) + points.x * degrees_per_point;
-  const double elevation = std::clamp(
-      glm::degrees(std::asin(std::clamp(toward.y, -1.0, 1.0))) - points.y * degrees_per_point, -89.0, 89.0);
-  const dvec3 turned = angles_toward(direction_from(azimuth, elevation));
+  const Placement placement{.rotate = rotation};
+  SkyAngles angles = sky_angles(placement, dmat4(1.0)).value();
+  angles.azimuth += points.x * degrees_per_point;
+  angles.elevation = std::clamp(angles.elevation - points.y * degrees_per_point, -89.0, 89.0);
   // Round, so that the command reads well.
-  return glm::round(turned * 100.0) / 100.0;
+  return glm::round(rotation_toward(angles, placement, dmat4(1.0)) * 100.0) / 100.0;
 }
 
 std::string light_command(const std::string& node, const dvec3& rotation) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace plinian::window {
@@ -205,7 +206,40 @@ void lay_out_all(std::vector<LaidOut>& boxes, const Neighbours& near) {
   put_in_columns(alone, boxes, together);
 }
 
-// Beside its neighbours that have a place, at the height of their middle, and down to where there is room.
+// Down to where there is room.
+vec2 moved_down(const std::vector<LaidOut>& boxes, std::size_t self, vec2 place) {
+  for (bool moved = true; moved;) {
+    moved = false;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      if (i == self || !boxes[i].place) continue;
+      const vec2 begin = *boxes[i].place - row_gap, end = *boxes[i].place + boxes[i].size + row_gap;
+      if (place.x + boxes[self].size.x <= begin.x || place.x >= end.x ||
+          place.y + boxes[self].size.y <= begin.y || place.y >= end.y)
+        continue;
+      place.y = end.y;
+      moved = true;
+    }
+  }
+  return place;
+}
+
+// What nothing connects: beneath everything while that is wide, else in the last column or a new one, so that
+// many of them can still be read in a low pane.
+vec2 place_alone(const std::vector<LaidOut>& boxes, std::size_t self) {
+  vec2 begin(std::numeric_limits<float>::max()), end(std::numeric_limits<float>::lowest());
+  float last_column = end.x;
+  for (const LaidOut& other : boxes)
+    if (other.place) {
+      begin = glm::min(begin, *other.place);
+      end = glm::max(end, *other.place + other.size);
+      last_column = std::max(last_column, other.place->x);
+    }
+  if (end.x - begin.x > shape * (end.y - begin.y)) return {begin.x, end.y + group_gap};
+  const vec2 place = moved_down(boxes, self, {last_column, begin.y});
+  return place.y + boxes[self].size.y <= end.y ? place : vec2(end.x + column_gap, begin.y);
+}
+
+// Beside its neighbours that have a place, at the height of their middle.
 vec2 place_beside(const std::vector<LaidOut>& boxes, const Neighbours& near, std::size_t self) {
   float y = 0.0f, count = 0.0f;
   std::optional<float> left, right;
@@ -223,24 +257,7 @@ vec2 place_beside(const std::vector<LaidOut>& boxes, const Neighbours& near, std
       count += 1.0f;
     }
   vec2 place(left ? *left : right.value_or(0.0f), count > 0.0f ? std::round(y / count) : 0.0f);
-  if (count == 0.0f)  // beneath everything
-    for (const LaidOut& other : boxes)
-      if (other.place)
-        place = {std::min(place.x, other.place->x),
-                 std::max(place.y, other.place->y + other.size.y + group_gap)};
-  for (bool moved = true; moved;) {
-    moved = false;
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      if (i == self || !boxes[i].place) continue;
-      const vec2 begin = *boxes[i].place - row_gap, end = *boxes[i].place + boxes[i].size + row_gap;
-      if (place.x + boxes[self].size.x <= begin.x || place.x >= end.x ||
-          place.y + boxes[self].size.y <= begin.y || place.y >= end.y)
-        continue;
-      place.y = end.y;
-      moved = true;
-    }
-  }
-  return place;
+  return count > 0.0f ? moved_down(boxes, self, place) : place_alone(boxes, self);
 }
 
 }  // namespace

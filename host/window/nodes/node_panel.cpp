@@ -48,6 +48,7 @@ void NodePanel::hide() {
   hovered_ = false;
   hold_ = Hold::nothing;
   wire_.reset();
+  boxes_seen_ = 0;
 }
 
 void NodePanel::show(Studio& studio, const PaneRect& pane) {
@@ -100,6 +101,25 @@ void NodePanel::frame(const std::set<graph::NodeId>& nodes) {
     view_ = framed(bounds->first, bounds->second, size_, scaled(100) / 100.0f);
 }
 
+bool NodePanel::is_all_in_sight() const {
+  std::vector<const NodeBox*> boxes;
+  for (const NodeBox& box : map_.diagram().boxes) boxes.push_back(&box);
+  const auto bounds = bounds_of(boxes);
+  if (!bounds) return true;
+  const vec2 begin = view_.to_pane(bounds->first), end = view_.to_pane(bounds->second);
+  return begin.x >= 0.0f && begin.y >= 0.0f && end.x <= size_.x && end.y <= size_.y;
+}
+
+// Nodes that were made elsewhere, or a pane that is another size by now.
+void NodePanel::frame_what_came() {
+  if (hold_ != Hold::nothing || is_own_view_) return;
+  const std::size_t boxes = map_.diagram().boxes.size();
+  const bool changed = boxes_seen_ != boxes || size_seen_ != size_;
+  boxes_seen_ = boxes;
+  size_seen_ = size_;
+  if (changed && !wanted_ && !is_all_in_sight()) wanted_ = Action::frame_all;
+}
+
 void NodePanel::show_canvas(Studio& studio) {
   const ImVec2 corner = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   corner_ = {corner.x, corner.y};
@@ -113,7 +133,11 @@ void NodePanel::show_canvas(Studio& studio) {
     framed_ = map_.scenes();
     wanted_ = Action::frame_all;
   }
-  if (wanted_) frame(*wanted_ == Action::frame_selection ? selected_ : std::set<graph::NodeId>());
+  frame_what_came();
+  if (wanted_) {
+    is_own_view_ = *wanted_ == Action::frame_selection;
+    frame(is_own_view_ ? selected_ : std::set<graph::NodeId>());
+  }
   wanted_.reset();
   const ImGuiIO& io = ImGui::GetIO();
   mouse_ = vec2(io.MousePos.x, io.MousePos.y) - corner_;
@@ -138,8 +162,9 @@ void NodePanel::look_around() {
   if (ImGui::IsMouseClicked(2)) hold_ = Hold::pan;
   if (ImGui::IsMouseClicked(1) && io.KeyAlt) hold_ = Hold::zoom;
   pressed_ = mouse_;
-  if (io.MouseWheel != 0.0f)
-    view_ = zoomed(view_, mouse_, std::pow(1.15f, io.MouseWheel), scaled(100) / 100.0f);
+  if (io.MouseWheel == 0.0f) return;
+  view_ = zoomed(view_, mouse_, std::pow(1.15f, io.MouseWheel), scaled(100) / 100.0f);
+  is_own_view_ = true;
 }
 
 void NodePanel::press(Studio& studio, bool twice) {
@@ -185,6 +210,7 @@ void NodePanel::drag(Studio& studio) {
   }
   if (!ImGui::IsMouseDown(button)) return let_go(studio);
   moved_ |= glm::distance(mouse_, pressed_) >= least_way();
+  is_own_view_ |= hold_ == Hold::pan || hold_ == Hold::zoom;
   if (hold_ == Hold::pan) view_.offset += mouse_ - last_;
   if (hold_ == Hold::zoom)
     view_ = zoomed(view_, pressed_, std::exp((mouse_.x - last_.x) / scaled(150)), scaled(100) / 100.0f);

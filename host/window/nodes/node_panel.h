@@ -30,6 +30,8 @@ class NodePanel {
   void show_controls(Studio& studio);
   void show_canvas(Studio& studio);
   void look_around();
+  bool is_all_in_sight() const;
+  void frame_what_came();
   void press(Studio& studio, bool twice);
   void drag(Studio& studio);
   void let_go(Studio& studio);
@@ -47,6 +49,10 @@ class NodePanel {
   vec2 mouse_{0.0f};                     // [points] from the corner
   std::optional<std::uint64_t> framed_;  // the scene that was framed
   std::optional<Action> wanted_;         // a frame that was asked for
+  bool is_own_view_ = false;             // set by hand: it stays
+  // As they were when it was looked whether all is in sight; no boxes: not shown since.
+  std::size_t boxes_seen_ = 0;
+  vec2 size_seen_{0.0f};
   std::set<graph::NodeId> selected_;
   DiagramHit hot_;
   Hold hold_ = Hold::nothing;

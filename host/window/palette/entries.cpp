@@ -86,19 +86,23 @@ std::vector<PaletteEntry> palette_entries(graph::Session& session, const Hotkeys
 }
 
 std::vector<PaletteEntry> matching(const std::vector<PaletteEntry>& entries, const std::string& query,
-                                   const std::vector<std::string>& recent) {
+                                   const std::vector<std::string>& recent,
+                                   const std::vector<PaletteEntry>& more, std::size_t most) {
   using Rank = std::tuple<bool, int, std::size_t, std::size_t>;  // by help alone, -score, last use, place
+  const std::vector<std::string> words = words_of(query);
   std::vector<std::pair<Rank, const PaletteEntry*>> found;
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    const auto score = fuzzy_score(query, entries[i].title);
-    if (!score && !holds_words(query, entries[i].kind + " " + entries[i].title + " " + entries[i].detail))
-      continue;
-    const auto used = std::find(recent.begin(), recent.end(), entries[i].id());
-    found.push_back({{!score, -score.value_or(0), std::size_t(used - recent.begin()), i}, &entries[i]});
-  }
-  std::sort(found.begin(), found.end());
+  const auto look_at = [&](const PaletteEntry& entry, std::size_t place) {
+    const auto score = entry.score ? entry.score : fuzzy_score(words, entry.title);
+    if (!score && !holds_words(words, entry.kind + " " + entry.title + " " + entry.detail)) return;
+    const auto used = std::find(recent.begin(), recent.end(), entry.id());
+    found.push_back({{!score, -score.value_or(0), std::size_t(used - recent.begin()), place}, &entry});
+  };
+  for (std::size_t i = 0; i < entries.size(); ++i) look_at(entries[i], i);
+  for (std::size_t i = 0; i < more.size(); ++i) look_at(more[i], entries.size() + i);
+  most = std::min(most, found.size());
+  std::partial_sort(found.begin(), found.begin() + std::ptrdiff_t(most), found.end());
   std::vector<PaletteEntry> result;
-  for (const auto& [rank, entry] : found) result.push_back(*entry);
+  for (std::size_t i = 0; i < most; ++i) result.push_back(*found[i].second);
   return result;
 }
 

@@ -21,13 +21,6 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-std::vector<std::string> words_of(std::string_view query) {
-  std::istringstream stream{lower(query)};
-  std::vector<std::string> words;
-  for (std::string word; stream >> word;) words.push_back(word);
-  return words;
-}
-
 bool begins_word(std::string_view text, std::size_t at) {
   if (at == 0) return true;
   const auto before = (unsigned char)text[at - 1], here = (unsigned char)text[at];
@@ -35,6 +28,11 @@ bool begins_word(std::string_view text, std::size_t at) {
 }
 
 std::optional<int> score_of_word(const std::string& word, std::string_view text) {
+  // Most texts lack a letter, which is soon seen.
+  std::size_t found = 0;
+  for (std::size_t at = 0; at < text.size() && found < word.size(); ++at)
+    found += lower(text[at]) == word[found];
+  if (found < word.size()) return std::nullopt;
   constexpr int none = -1000000, letter = 1, in_a_row = 7, beginning = 6, very_first = 4;
   // Of the letters so far, the last one at that place of the text.
   std::vector<int> ending(text.size(), none), next(text.size());
@@ -62,9 +60,15 @@ std::optional<int> score_of_word(const std::string& word, std::string_view text)
 
 }  // namespace
 
-std::optional<int> fuzzy_score(std::string_view query, std::string_view text) {
+std::vector<std::string> words_of(std::string_view query) {
+  std::istringstream stream{lower(query)};
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+std::optional<int> fuzzy_score(const std::vector<std::string>& words, std::string_view text) {
   constexpr int finer = 8;  // of which the length of the text takes a part
-  const std::vector<std::string> words = words_of(query);
   if (words.empty()) return 0;
   int sum = 0;
   for (const std::string& word : words) {
@@ -75,11 +79,18 @@ std::optional<int> fuzzy_score(std::string_view query, std::string_view text) {
   return finer * sum - int(text.size());
 }
 
-bool holds_words(std::string_view query, std::string_view text) {
+bool holds_words(const std::vector<std::string>& words, std::string_view text) {
   const std::string all = lower(text);
-  const std::vector<std::string> words = words_of(query);
   return std::all_of(words.begin(), words.end(),
                      [&](const std::string& word) { return all.find(word) != all.npos; });
+}
+
+std::optional<int> fuzzy_score(std::string_view query, std::string_view text) {
+  return fuzzy_score(words_of(query), text);
+}
+
+bool holds_words(std::string_view query, std::string_view text) {
+  return holds_words(words_of(query), text);
 }
 
 }  // namespace plinian::window

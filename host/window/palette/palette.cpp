@@ -9,6 +9,7 @@
 
 #include "core/scene/resources.h"
 #include "host/window/hotkeys/actions.h"
+#include "host/window/palette/attribute_entries.h"
 #include "host/window/palette/menu_entries.h"
 #include "host/window/panels/widgets.h"
 #include "host/window/platform/theme.h"
@@ -41,6 +42,7 @@ void begin_line(Studio& studio, const std::string& text) {
 unsigned colour_of(const std::string& kind) {
   if (kind == "action") return colour::accent;
   if (kind == "node") return colour::good;
+  if (kind == "attribute") return colour::played;
   if (kind == "look") return colour::changed;
   return colour::faint_text;
 }
@@ -54,14 +56,28 @@ void Palette::begin(Studio& studio) {
   for (PaletteEntry& entry : menu_entries()) entries_.push_back(std::move(entry));
   query_[0] = 0;
   shown_query_.clear();
-  found_ = matching(entries_, "", recent_.all());
+  find(studio);
   chosen_ = 0;
   ImGui::OpenPopup(popup);
 }
 
+// Of attributes there are too many to hold them all ready.
+void Palette::find(Studio& studio) {
+  const graph::Graph& graph = studio.session().graph();
+  const std::vector<std::string> recent = recent_.all();
+  std::vector<PaletteEntry> attributes = attribute_entries(graph, query_, most_rows);
+  constexpr std::string_view kind = "attribute ";
+  if (query_[0] == 0)
+    for (const std::string& id : recent)
+      if (id.starts_with(kind))
+        if (auto entry = attribute_entry(graph, id.substr(kind.size())))
+          attributes.push_back(std::move(*entry));
+  found_ = matching(entries_, query_, recent, attributes, most_rows);
+}
+
 // Round at neither end: one who holds the key down stays there.
 void Palette::step() {
-  const std::size_t count = std::min(found_.size(), most_rows), before = chosen_;
+  const std::size_t count = found_.size(), before = chosen_;
   constexpr std::size_t page = 10;
   if (is_pressed(ImGuiKey_DownArrow)) ++chosen_;
   if (is_pressed(ImGuiKey_UpArrow) && chosen_ > 0) --chosen_;
@@ -102,7 +118,15 @@ std::optional<Action> Palette::choose(Studio& studio, const PaletteEntry& entry)
     entry.act(studio);
     return std::nullopt;
   }
-  if (entry.is_open)
+  if (!entry.field.empty()) {
+    // One that is shown with others stays with them: all are edited.
+    const graph::Graph& graph = studio.session().graph();
+    const auto& selection = graph.selection();
+    if (selection.empty() || "select " + graph.find(selection.back())->name != entry.line)
+      studio.run(entry.line);
+    studio.show_panels = true;
+    field_ = entry.field;
+  } else if (entry.is_open)
     begin_line(studio, entry.line + " ");
   else
     studio.commands.run(entry.line, "", true);
@@ -128,12 +152,13 @@ std::optional<Action> Palette::show(Studio& studio) {
   step();
   if (appears) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1.0f);
-  const bool entered = ImGui::InputTextWithHint("##query", "an action, a command, a node, a look", query_,
-                                                sizeof query_, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered =
+      ImGui::InputTextWithHint("##query", "an action, a command, a node, an attribute, a look", query_,
+                               sizeof query_, ImGuiInputTextFlags_EnterReturnsTrue);
   note_item(studio.trace, "palette");
   if (shown_query_ != query_) {
     shown_query_ = query_;
-    found_ = matching(entries_, shown_query_, recent_.all());
+    find(studio);
     chosen_ = 0;
     moved_ = true;
     studio.trace.note("palette finds " + (found_.empty() ? "nothing" : found_.front().id()));
@@ -142,7 +167,7 @@ std::optional<Action> Palette::show(Studio& studio) {
   if (entered && chosen_ < found_.size()) taken = chosen_;
   ImGui::BeginChild("##found");
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0f, 0.0f));
-  for (std::size_t row = 0; row < std::min(found_.size(), most_rows); ++row) {
+  for (std::size_t row = 0; row < found_.size(); ++row) {
     show_row(studio, found_[row], row);
     if (ImGui::IsItemClicked()) taken = row;
   }

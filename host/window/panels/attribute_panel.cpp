@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "host/graph/graph_error.h"
 #include "host/graph/model/conversion.h"
@@ -11,8 +12,10 @@
 #include "host/scene/looks.h"
 #include "host/window/fields/arithmetic.h"
 #include "host/window/fields/edit_lines.h"
+#include "host/window/panels/field_row.h"
 #include "host/window/panels/grid_field.h"
 #include "host/window/panels/path_field.h"
+#include "host/window/panels/typing.h"
 #include "host/window/platform/theme.h"
 
 namespace plinian::window {
@@ -54,6 +57,14 @@ std::string short_unit(const std::string& unit) {
   return unit == "degrees" ? "°" : unit.size() <= 6 ? unit : "";
 }
 
+// Why it cannot be edited; empty where it can.
+std::string why_not(const AttributeRow& row) {
+  std::string why;
+  if (!row.driver.empty()) why = "Driven by " + row.driver + ".";
+  if (row.locked) why += why.empty() ? "Locked." : "\nLocked.";
+  return why;
+}
+
 std::string tooltip(const graph::Graph& graph, const AttributeRow& row) {
   const graph::AttributeSpec& spec = graph.attribute(row.plug).spec;
   std::string text = row.name;
@@ -64,8 +75,7 @@ std::string tooltip(const graph::Graph& graph, const AttributeRow& row) {
     facts += "Range: " + (spec.minimum ? shown_number(*spec.minimum) : "-∞") + " to " +
              (spec.maximum ? shown_number(*spec.maximum) : "∞") + ".  ";
   if (!facts.empty()) text += "\n" + facts;
-  if (!row.driver.empty()) text += "\nDriven by " + row.driver + ".";
-  if (row.locked) text += "\nLocked.";
+  if (const std::string why = why_not(row); !why.empty()) text += "\n" + why;
   return text;
 }
 
@@ -85,8 +95,40 @@ void AttributePanel::refresh(Studio& studio) {
   if (const graph::Node* node = graph.find(node_)) groups_ = attribute_groups(graph, *node);
 }
 
+void AttributePanel::seek(std::string name) {
+  sought_ = std::move(name);
+  sought_for_ = 0;
+  is_in_sight_ = false;
+  expect_typing();
+}
+
+// Its node is selected with the next turn, or not at all.
+void AttributePanel::begin_seeking() {
+  constexpr int most = 8;
+  if (ImGui::IsMouseClicked(0) || ImGui::GetIO().MouseWheel != 0.0f) marked_.clear();
+  if (sought_.empty()) return;
+  if (++sought_for_ > most)
+    sought_.clear();
+  else
+    expect_typing();
+}
+
+bool AttributePanel::is_sought(const AttributeGroup& group) const {
+  return !sought_.empty() && std::any_of(group.rows.begin(), group.rows.end(),
+                                         [&](const AttributeRow& row) { return row.name == sought_; });
+}
+
+// Dear ImGui gives no keys to what was out of sight.
+void AttributePanel::find_sought(Studio& studio, const AttributeRow& row) {
+  if (!std::exchange(is_in_sight_, true)) return ImGui::SetScrollHereY(0.4f);
+  studio.trace.note("sought " + row.name);
+  want_typing(true);
+  marked_ = std::exchange(sought_, "");
+}
+
 void AttributePanel::show(Studio& studio, const PaneRect& pane) {
   refresh(studio);
+  begin_seeking();
   begin_pane("##attributes", pane);
   const graph::Graph& graph = studio.session().graph();
   const graph::Node* node = graph.find(node_);
@@ -107,9 +149,13 @@ void AttributePanel::show(Studio& studio, const PaneRect& pane) {
   help(node->type->spec().help);
   ImGui::Spacing();
   bool hidden_under = false;
-  for (const AttributeGroup& group : groups_) {
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    const AttributeGroup& group = groups_[g];
+    bool holds = is_sought(group);
+    for (std::size_t under = g + 1; under < groups_.size() && groups_[under].depth > group.depth; ++under)
+      holds |= is_sought(groups_[under]);
     if (group.depth > 1 && hidden_under) continue;
-    ImGui::SetNextItemOpen(group.open, ImGuiCond_Once);
+    ImGui::SetNextItemOpen(group.open || holds, holds ? ImGuiCond_Always : ImGuiCond_Once);
     ImGui::PushStyleColor(ImGuiCol_Header, ImVec4(0.0f, 0.0f, 0.0f, 0.0f));
     const bool open = ImGui::TreeNodeEx(group.title.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth |
                                                                  ImGuiTreeNodeFlags_NoTreePushOnOpen |
@@ -117,7 +163,10 @@ void AttributePanel::show(Studio& studio, const PaneRect& pane) {
     ImGui::PopStyleColor();
     if (group.depth == 1) hidden_under = !open;
     if (!open) continue;
-    for (const AttributeRow& row : group.rows) show_row(studio, row);
+    for (const AttributeRow& row : group.rows) {
+      show_row(studio, row);
+      if (row.plug.attribute == node->schema->find("rotate")) angles_.show(studio, *node, driven);
+    }
     ImGui::Dummy({0.0f, scaled(4)});
   }
   end_pane();
@@ -126,24 +175,19 @@ void AttributePanel::show(Studio& studio, const PaneRect& pane) {
 void AttributePanel::show_row(Studio& studio, const AttributeRow& row) {
   const graph::Graph& graph = studio.session().graph();
   ImGui::PushID(row.name.c_str());
-  const float whole = ImGui::GetContentRegionAvail().x;
-  const float mark = scaled(16), label = std::round(whole * 0.41f);
+  const float whole = ImGui::GetContentRegionAvail().x, mark = field_mark_width();
   const ImVec2 begin = ImGui::GetCursorScreenPos();
-  ImGui::AlignTextToFramePadding();
-  ImGui::PushClipRect(begin, {begin.x + label - scaled(4), begin.y + ImGui::GetFrameHeight()}, true);
-  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + scaled(14));
-  if (row.changed)
-    ImGui::TextUnformatted(row.label.c_str());
-  else
-    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(0xffb4b0ae), "%s", row.label.c_str());
-  ImGui::PopClipRect();
-  help(tooltip(graph, row));
-  ImGui::SameLine();
-  ImGui::SetCursorScreenPos({begin.x + label, begin.y});
-  const float width = whole - label - mark;
+  const float width = field_label(row.label, row.changed, tooltip(graph, row));
+  if (row.name == sought_) find_sought(studio, row);
   ImGui::BeginGroup();
   show_value(studio, row, width);
   ImGui::EndGroup();
+  want_typing(false);
+  if (row.name == marked_)
+    ImGui::GetWindowDrawList()->AddRect(
+        {begin.x, begin.y - scaled(1)},
+        {begin.x + whole - mark, begin.y + ImGui::GetFrameHeight() + scaled(1)}, colour::accent,
+        ImGui::GetStyle().FrameRounding);
   studio.trace.item(row.name, vec2(ImGui::GetItemRectMin().x, ImGui::GetItemRectMin().y),
                     vec2(ImGui::GetItemRectSize().x, ImGui::GetItemRectSize().y));
   if (row.changed) {  // a mark that puts it back
@@ -280,40 +324,12 @@ void AttributePanel::show_numbers(Studio& studio, const AttributeRow& row, float
     studio.keep_hand_on();
   if (is_colour) {
     ImGui::SameLine(0.0f, gap);
-    show_colour(studio, row);
+    ColourField field{.name = row.name, .plug = row.plug};
+    for (std::size_t i = 0; i < 3; ++i) field.linear[int(i)] = float(number_now(studio, row, row.parts[i]));
+    field.enabled = row.driver.empty() && !row.locked && !whole.read_only;
+    field.help = why_not(row);
+    picker_.show(studio, field);
   }
-}
-
-void AttributePanel::show_colour(Studio& studio, const AttributeRow& row) {
-  vec3 linear;
-  for (int i = 0; i < 3; ++i) linear[i] = float(number_now(studio, row, row.parts[std::size_t(i)]));
-  const float brightest = std::max({linear.x, linear.y, linear.z, 1.0f});
-  vec3 shown = display_colour(linear / brightest);
-  const ImVec4 colour(shown.x, shown.y, shown.z, 1.0f);
-  const float side = ImGui::GetFrameHeight();
-  if (ImGui::ColorButton("##swatch", colour, ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoAlpha,
-                         {side, side}) &&
-      row.driver.empty() && !row.locked) {
-    ImGui::OpenPopup("picker");
-    merge_key_ = studio.commands.new_merge_key("colour");
-  }
-  if (!ImGui::BeginPopup("picker")) return;
-  ImGui::SetNextItemWidth(scaled(220));
-  if (ImGui::ColorPicker3("##picker", &shown.x,
-                          ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_DisplayRGB |
-                              ImGuiColorEditFlags_DisplayHSV | ImGuiColorEditFlags_PickerHueBar)) {
-    const vec3 picked = linear_colour(shown) * brightest;
-    send(studio, row.plug,
-         graph::write_number(picked.x) + " " + graph::write_number(picked.y) + " " +
-             graph::write_number(picked.z),
-         merge_key_);
-    studio.keep_hand_on();
-  }
-  if (ImGui::IsItemDeactivated()) {
-    studio.commands.end_drag();
-    merge_key_ = studio.commands.new_merge_key("colour");
-  }
-  ImGui::EndPopup();
 }
 
 }  // namespace plinian::window

@@ -127,6 +127,10 @@ void ConsolePanel::show(Studio& studio, const PaneRect& pane) {
   if (entered && line_[0] != 0) {
     if (typed_.empty() || typed_.back() != line_) typed_.push_back(line_);
     recalled_ = typed_.size();
+    if (const std::string& job = studio.commands.job.what; !job.empty()) {
+      studio.console.add(LineKind::note, std::string(line_) + "  waits for: " + job);
+      studio.trace.note("waits " + std::string(line_));
+    }
     studio.commands.run(line_, "", true);
     line_[0] = 0;
     studio.focus_console = true;

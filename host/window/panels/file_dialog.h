@@ -22,7 +22,9 @@ class FileDialog {
   /// question.folder: where it saves, and where a file is named; else, where it opens, that only counts the
   /// first time. take: hears the path that was chosen.
   void open(Studio& studio, FileQuestion question, std::function<void(const std::string&)> take);
+  /// Within the window that it is to stand over; always the same one while it is open.
   void show(Studio& studio);
+  bool is_open() const { return opens_ || is_open_; }
 
  private:
   void show_head(Studio& studio);

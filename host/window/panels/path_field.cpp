@@ -59,7 +59,8 @@ std::optional<std::string> path_field(Studio& studio, const PathField& field,
     studio.ask_file = FileWish{{.title = "Choose a file for " + field.name,
                                 .folder = path.parent_path(),
                                 .name = path.filename().string(),
-                                .extensions = field.extensions},
+                                .extensions = field.extensions,
+                                .saves = field.saves},
                                std::move(take)};
   }
   ImGui::EndDisabled();

@@ -18,6 +18,7 @@ struct PathField {
   std::string typed;                    // as it stands there
   std::string path;                     // that this is, whole; empty where there is none
   std::vector<std::string> extensions;  // with their dots; empty: any
+  bool saves = false;                   // the file need not exist
   float width = 80.0f;                  // [points]
   bool enabled = true;
 };

@@ -4,11 +4,14 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include <cstdio>
 #include <filesystem>
+#include <string_view>
 #include <utility>
 
+#include "host/graph/graph_error.h"
 #include "host/graph/model/conversion.h"
+#include "host/window/files/typed_path.h"
+#include "host/window/panels/path_field.h"
 #include "host/window/panels/widgets.h"
 #include "host/window/platform/theme.h"
 
@@ -34,20 +37,51 @@ void PlayblastDialog::open(Studio& studio) {
   }
   const std::string& scene = studio.session().scene_path();
   const std::string stem = scene.empty() ? "playblast" : fs::path(scene).stem().string();
-  const std::string path =
-      (studio.session().scene_folder() / (stem + (format_ == 2 ? "" : ".####") + extensions[format_]))
-          .string();
-  std::snprintf(path_, sizeof path_, "%s", path.c_str());
+  path_ = (studio.session().scene_folder() / (stem + (format_ == 2 ? "" : ".####") + extensions[format_]))
+              .string();
 }
 
-void PlayblastDialog::show(Studio& studio) {
+// What a path ends in says what is written; where it says nothing, what was chosen last.
+void PlayblastDialog::set_path(const std::string& path) {
+  path_ = path;
+  const std::string ends = fs::path(path).extension().string();
+  const bool says_nothing =
+      ends.size() < 2 || std::string_view("#%$").find(ends[1]) != std::string_view::npos;
+  if (says_nothing && fs::path(path).has_filename()) path_ += extensions[format_];
+  for (int i = 0; i < 3; ++i)
+    if (ends == extensions[i] && (i < 2 || Playblast::has_ffmpeg())) format_ = i;
+}
+
+void PlayblastDialog::show_path(Studio& studio) {
+  std::string whole;
+  try {
+    whole = typed_path(path_, studio.session().scene_folder()).value_or(path_).string();
+  } catch (const graph::GraphError&) {
+    // A variable that is not set; the browser opens where one was last.
+  }
+  ImGui::BeginGroup();
+  const auto typed = path_field(studio,
+                                {.name = "playblast",
+                                 .typed = path_,
+                                 .path = whole,
+                                 .extensions = {extensions[format_]},
+                                 .saves = true,
+                                 .width = scaled(420)},
+                                [this](const std::string& chosen) { set_path(chosen); });
+  ImGui::EndGroup();
+  note_item(studio.trace, "playblast path");
+  if (typed) set_path(*typed);
+}
+
+bool PlayblastDialog::show(Studio& studio, FileDialog& browser) {
   const char* title = "Playblast";
   if (std::exchange(opens_, false)) ImGui::OpenPopup(title);
   ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
   if (!ImGui::BeginPopupModal(
           title, nullptr,
           ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings))
-    return;
+    return false;
+  const bool is_uppermost = !browser.is_open();
   const SceneSnapshot* scene = studio.feed.snapshot() ? &studio.feed.snapshot()->snapshot : nullptr;
   const float power = studio.development.view.gamma;
   const std::string gamma = power == 1.0f ? "" : fmt::format(", gamma {:.3g}", power);
@@ -72,14 +106,11 @@ void PlayblastDialog::show(Studio& studio) {
     if (toggle(extensions[i] + 1, format_ == i, there ? "" : "ffmpeg is not installed") && there) {
       format_ = i;
       fs::path path(path_);
-      path.replace_extension(extensions[i]);
-      std::snprintf(path_, sizeof path_, "%s", path.c_str());
+      path_ = path.replace_extension(extensions[i]).string();
     }
     if (!there) ImGui::EndDisabled();
   }
-  ImGui::SetNextItemWidth(scaled(420));
-  ImGui::InputText("##path", path_, sizeof path_);
-  note_item(studio.trace, "playblast path");
+  show_path(studio);
   ImGui::Spacing();
   if (ImGui::Button("Render", {scaled(110), 0.0f})) {
     PlayblastSettings settings;
@@ -96,9 +127,11 @@ void PlayblastDialog::show(Studio& studio) {
   if (!ImGui::IsWindowAppearing()) note_item(studio.trace, "playblast render");
   ImGui::SameLine();
   if (ImGui::Button("Cancel", {scaled(110), 0.0f}) ||
-      ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))
+      (is_uppermost && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))))
     ImGui::CloseCurrentPopup();
+  browser.show(studio);
   ImGui::EndPopup();
+  return true;
 }
 
 }  // namespace plinian::window

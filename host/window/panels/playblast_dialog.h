@@ -1,6 +1,9 @@
 // Asks what a playblast is to be.
 #pragma once
 
+#include <string>
+
+#include "host/window/panels/file_dialog.h"
 #include "host/window/studio.h"
 
 namespace plinian::window {
@@ -8,11 +11,15 @@ namespace plinian::window {
 class PlayblastDialog {
  public:
   void open(Studio& studio);
-  void show(Studio& studio);
+  /// The browser stands over it where it asks for a path. Returns whether it is open.
+  bool show(Studio& studio, FileDialog& browser);
 
  private:
+  void set_path(const std::string& path);
+  void show_path(Studio& studio);
+
   int first_ = 1, last_ = 1, format_ = 0;
-  char path_[2048] = "";
+  std::string path_;
   bool opens_ = false;
 };
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "core/shared/view_curve.h"
 #include "host/window/panels/typing.h"
@@ -28,7 +29,8 @@ struct {
   // Where Tab goes on: to that field, or to the next one in that window; in the picture after.
   ImGuiID wanted = 0, before = 0;  // before: the last field that was shown and is not typed into
   const ImGuiWindow* next_in = nullptr;
-  int asked = -2;  // picture in which Tab was pressed
+  int asked = -2;        // picture in which Tab was pressed
+  bool is_next = false;  // the next one that is shown takes the keys
 } field;
 
 void begin_typing(ImGuiID id, double value) {
@@ -109,7 +111,8 @@ FieldEdit number_field(const char* id, double value, const NumberRange& range, c
   const ImVec2 size(std::max(look.width, scaled(16)), ImGui::GetFrameHeight());
   if (look.enabled) {
     if (field.asked < ImGui::GetFrameCount() - 1) field.wanted = 0, field.next_in = nullptr;
-    if (field.wanted == self || (field.next_in && field.next_in == ImGui::GetCurrentWindow()->RootWindow)) {
+    if (std::exchange(field.is_next, false) || field.wanted == self ||
+        (field.next_in && field.next_in == ImGui::GetCurrentWindow()->RootWindow)) {
       field.wanted = 0;
       field.next_in = nullptr;
       begin_typing(self, value);
@@ -192,6 +195,10 @@ std::optional<std::string> text_field(const char* id, const std::string& text, f
   char shown[4096];
   std::snprintf(shown, sizeof shown, "%s", text.c_str());
   ImGui::SetNextItemWidth(width);
+  if (enabled && std::exchange(field.is_next, false)) {
+    ImGui::SetKeyboardFocusHere();
+    expect_typing();
+  }
   const bool mine = edited == self;
   const bool entered = ImGui::InputTextWithHint(
       id, hint, mine ? buffer : shown, sizeof shown,
@@ -203,6 +210,10 @@ std::optional<std::string> text_field(const char* id, const std::string& text, f
   if (!mine || !(entered || ImGui::IsItemDeactivated())) return std::nullopt;
   edited = 0;
   return enabled && text != buffer ? std::optional<std::string>(buffer) : std::nullopt;
+}
+
+void want_typing(bool wanted) {
+  field.is_next = wanted;
 }
 
 float button_width(const char* label) {
@@ -248,12 +259,6 @@ void help(const std::string& text) {
 vec3 display_colour(const vec3& linear) {
   vec3 colour;
   for (int i = 0; i < 3; ++i) colour[i] = shared::srgb_from_linear(std::clamp(linear[i], 0.0f, 1.0f));
-  return colour;
-}
-
-vec3 linear_colour(const vec3& display) {
-  vec3 colour;
-  for (int i = 0; i < 3; ++i) colour[i] = shared::linear_from_srgb(std::clamp(display[i], 0.0f, 1.0f));
   return colour;
 }
 

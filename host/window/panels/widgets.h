@@ -43,6 +43,9 @@ FieldEdit number_field(const char* id, double value, const NumberRange& range, c
 std::optional<std::string> text_field(const char* id, const std::string& text, float width,
                                       bool enabled = true, const char* hint = "");
 
+/// The next field of a number or a text that is shown takes the keys; none where `wanted` is false.
+void want_typing(bool wanted);
+
 /// A button that is on or off. width: [points]; 0: the label's.
 bool toggle(const char* label, bool on, const char* help, float width = 0.0f);
 /// The width that a button with that label has. [points]
@@ -58,8 +61,7 @@ void note_item(Trace& trace, const std::string& name);
 /// Help on what is under the pointer, after a moment.
 void help(const std::string& text);
 
-/// The colour of a display for a linear one, brought into range; and back.
+/// The colour of a display for a linear one, brought into range.
 vec3 display_colour(const vec3& linear);
-vec3 linear_colour(const vec3& display);
 
 }  // namespace plinian::window

@@ -111,6 +111,46 @@ TEST_F(NodesSitting, TakeThePlaceOfTheConsoleAndLeaveThePictureAsItIs) {
     EXPECT_EQ(sitting_->line(i).find(" picture "), std::string::npos) << sitting_->line(i);
 }
 
+// Lone ones, too, and in a pane that is low; a view that was set by hand stays.
+TEST_F(NodesSitting, AllAreInSightAtOpeningUnlessTheViewWasSetByHand) {
+  sitting_->click(sitting_->middle("tab nodes"));
+  sitting_->wait_for(" still", sitting_->wait_for("item \"box key\""));
+  const auto make = [&](const std::string& name) {
+    sitting_->click(sitting_->middle("tab console"));
+    type("createNode volumeRead -name " + name);
+    const std::size_t before = sitting_->now();
+    sitting_->click(sitting_->middle("tab nodes"));
+    sitting_->wait_for("item \"box " + name + "\"", before);
+    sitting_->wait_for(" still", sitting_->now());
+  };
+  const auto is_in_sight = [&](const std::string& name) {
+    const ivec4 canvas = sitting_->item("nodes canvas"), box = sitting_->item("box " + name);
+    return box.x >= canvas.x && box.y >= canvas.y && box.x + box.z <= canvas.x + canvas.z &&
+           box.y + box.w <= canvas.y + canvas.w;
+  };
+  for (const char* name : {"lone1", "lone2", "lone3"}) make(name);
+  keep("nodes-lone.png");
+  for (const char* name : {"lone1", "lone2", "lone3", "key", "medium_shape"})
+    EXPECT_TRUE(is_in_sight(name)) << name;
+
+  const ivec4 canvas = sitting_->item("nodes canvas");
+  const ivec2 middle(canvas.x + canvas.z / 2, canvas.y + canvas.w / 2);
+  sitting_->drag(middle, middle - ivec2(0, canvas.w / 2), 2);
+  sitting_->wait_for(" still", sitting_->now() - 1);
+  const ivec4 place = sitting_->item("box key");
+  EXPECT_FALSE(is_in_sight("key"));
+  make("lone4");
+  EXPECT_EQ(sitting_->item("box key"), place) << "as the hand left it";
+  sitting_->move(middle);
+  sitting_->wait_for_mouse(middle, 0);
+  const std::size_t before = sitting_->now();
+  sitting_->stroke("a");
+  sitting_->wait_for("item \"box lone4\"", before);
+  sitting_->wait_for(" still", sitting_->now() - 1);
+  EXPECT_TRUE(is_in_sight("lone4"));
+  EXPECT_TRUE(is_in_sight("key"));
+}
+
 TEST_F(NodesSitting, WhatFailsIsMarkedAndSoIsWhatItBlocks) {
   type("createNode volumeRead -name gone");
   type("setAttr gone.file \"/nowhere/gone.vdb\"");

@@ -37,6 +37,26 @@ TEST(LayeredLayout, EveryWireRunsFromLeftToRightAndNoBoxesOverlap) {
     for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(overlap(boxes[i], boxes[j])) << i << " and " << j;
 }
 
+// As they are made one by one, none of them moving another.
+TEST(LayeredLayout, WhatComesAloneKeepsTheWholeAsWideAsAPane) {
+  auto boxes = laid_out(4, {{0, 1}, {1, 2}, {2, 3}});
+  for (int i = 0; i < 30; ++i) {
+    const auto before = boxes;
+    boxes.push_back({{100.0f, 40.0f}, std::nullopt});
+    lay_out(boxes, {{0, 1}, {1, 2}, {2, 3}});
+    vec2 begin(1e9f), end(-1e9f);
+    for (std::size_t b = 0; b < boxes.size(); ++b) {
+      if (b < before.size()) EXPECT_EQ(*boxes[b].place, *before[b].place);
+      for (std::size_t c = 0; c < b; ++c) EXPECT_FALSE(overlap(boxes[b], boxes[c])) << b << " and " << c;
+      begin = glm::min(begin, *boxes[b].place);
+      end = glm::max(end, *boxes[b].place + boxes[b].size);
+    }
+    const vec2 size = end - begin;
+    EXPECT_GT(size.x, 2.0f * size.y) << i;
+    if (i > 1) EXPECT_LT(size.x, 8.0f * size.y) << i;
+  }
+}
+
 TEST(LayeredLayout, WiresOfALadderDoNotCross) {
   // 0 to 5, 1 to 4, 2 to 3: told in the order that would cross.
   const auto boxes = laid_out(6, {{0, 5}, {1, 4}, {2, 3}, {0, 4}, {1, 3}});

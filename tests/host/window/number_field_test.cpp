@@ -55,6 +55,15 @@ TEST(NumberDrag, StaysInTheSoftRangeUnlessItBeganOutside) {
   EXPECT_EQ(dragged(hard, 5.0, 100.0, DragPace::usual), 5.5);
 }
 
+TEST(NumberDrag, GoesRoundWhereItsEndsAreOnePlace) {
+  NumberRange angle = slider(-180.0, 180.0);
+  angle.wraps = true;
+  EXPECT_NEAR(dragged(angle, 170.0, 25.0, DragPace::usual), -160.0, 1e-9);
+  EXPECT_NEAR(dragged(angle, -170.0, -25.0, DragPace::usual), 160.0, 1e-9);
+  EXPECT_NEAR(wrapped(angle, 270.0), -90.0, 1e-9);
+  EXPECT_NEAR(wrapped(angle, -900.0), -180.0, 1e-9);
+}
+
 TEST(NumberDrag, WithoutARangeGoesByTheValueItself) {
   EXPECT_NEAR(dragged({}, 50.0, 100.0, DragPace::usual), 100.0, 1e-9);
   EXPECT_NEAR(dragged({}, 0.0, -100.0, DragPace::usual), -1.0, 1e-9);

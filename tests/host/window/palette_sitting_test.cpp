@@ -1,7 +1,7 @@
 // The command palette by hand.
 #include <gtest/gtest.h>
 
-#include "tests/host/window/sitting.h"
+#include "tests/host/window/steps.h"
 
 namespace plinian {
 namespace {
@@ -49,6 +49,52 @@ TEST(PaletteSitting, AFewLettersSelectANodeTakeAnActionAndBeginACommand) {
   sitting.keep("palette-line.png");
   sitting.stroke("Return");
   sitting.wait_for("ran setAttr key.exposure 2", before);
+}
+
+TEST(PaletteSitting, AnAttributeIsFoundAndItsFieldTakesTheKeys) {
+  if (const std::string problem = Sitting::problem(); !problem.empty()) GTEST_SKIP() << problem;
+  constexpr ivec2 size(1100, 600);
+  Sitting sitting({"sphere"}, size);
+  wait_for_rest(sitting, 0);
+  const auto type_into = [&](const std::string& letters, const std::string& attribute, const char* value) {
+    sitting.stroke("Control_L+Shift_L+p");
+    sitting.wait_for_keys("keys to a field");
+    std::size_t before = sitting.now();
+    sitting.type(letters);
+    sitting.wait_for("palette finds attribute " + attribute, before);
+    sitting.keep("palette-" + letters + ".png");
+    before = sitting.now();
+    sitting.stroke("Return");
+    sitting.wait_for("sought " + attribute, before);
+    sitting.wait_for_keys("keys to a field");
+    sitting.type(value);
+    sitting.keep("palette-" + letters + "-typed.png");
+    sitting.stroke("Return");
+    sitting.wait_for(value, sitting.wait_for("ran setAttr " + attribute, before));
+    sitting.wait_for_keys("keys to the window");
+  };
+  type_into("density", "medium.density_scale", "7");
+  // In a group that is closed, far below.
+  type_into("threshold", "settings.fast.map.threshold", "0.05");
+  const ivec4 field = sitting.item("settings.fast.map.threshold");
+  EXPECT_GT(field.y, 20);
+  EXPECT_LT(field.y + field.w, size.y - 20);
+  // What takes no keys is shown.
+  sitting.stroke("Control_L+Shift_L+p");
+  sitting.wait_for_keys("keys to a field");
+  std::size_t before = sitting.now();
+  sitting.type("medium.phase");
+  sitting.wait_for("palette finds attribute medium.phase", before);
+  before = sitting.now();
+  sitting.stroke("Return");
+  sitting.wait_for("sought medium.phase", before);
+  sitting.wait_for_keys("keys to the window");
+  sitting.wait_for(" still", before);
+  sitting.keep("palette-phase.png");
+  // A name of a file is a text.
+  command(sitting, "createNode volumeRead -name file");
+  leave_fields(sitting, {550, 594});
+  type_into("file.file", "file.file", "none.vdb");
 }
 
 }  // namespace

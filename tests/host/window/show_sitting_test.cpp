@@ -94,6 +94,26 @@ TEST_F(ShowSitting, APlayblastIsAskedForRunsBesideTheWindowAndLeavesItsFrames) {
   sitting.stroke("Control_L+a");
   sitting.type((sitting.folder() / "seen.####.png").string());
   sitting.keep("playblast-1.png");
+  // The browser stands over it; what is chosen there is the path.
+  std::filesystem::create_directory(sitting.folder() / "takes");
+  std::size_t listed = sitting.now();
+  sitting.click(sitting.middle("playblast browse"));
+  sitting.wait_for("folder " + sitting.folder().string() + " lists", listed);
+  sitting.wait_for_keys("keys to a field");
+  sitting.wait_for(" still", sitting.now() - 1);
+  sitting.keep("playblast-browser.png");
+  sitting.stroke("Escape");
+  sitting.wait_for_keys("keys to the window");
+  listed = sitting.now();
+  sitting.click(sitting.middle("playblast browse"));
+  sitting.wait_for("folder " + sitting.folder().string() + " lists", listed);
+  sitting.wait_for_keys("keys to a field");
+  sitting.stroke("Control_L+a");
+  sitting.type("takes/seen.####");
+  sitting.stroke("Return");
+  sitting.wait_for_keys("keys to the window");
+  sitting.wait_for(" still", sitting.now() - 1);
+  sitting.keep("playblast-chosen.png");
   const std::size_t before = sitting.now();
   sitting.click(sitting.middle("playblast render"));
   // The window goes on.
@@ -102,11 +122,11 @@ TEST_F(ShowSitting, APlayblastIsAskedForRunsBesideTheWindowAndLeavesItsFrames) {
   sitting.wait_for(" still", before);
   sitting.keep("playblast-2.png");
   for (const char* name : {"seen.0001.png", "seen.0002.png"}) {
-    const Image frame = read_image((sitting.folder() / name).string());
+    const Image frame = read_image((sitting.folder() / "takes" / name).string());
     EXPECT_EQ(frame.width, 64) << name;
     EXPECT_EQ(frame.height, 48) << name;
   }
-  EXPECT_FALSE(std::filesystem::exists(sitting.folder() / "seen.0003.png"));
+  EXPECT_FALSE(std::filesystem::exists(sitting.folder() / "takes" / "seen.0003.png"));
 }
 
 }  // namespace

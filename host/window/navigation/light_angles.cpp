@@ -1,0 +1,78 @@
+// A light shines along its -z: it comes from its +z.
+#include "host/window/navigation/light_angles.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/scene/framing.h"
+#include "host/graph/values/value_text.h"
+
+namespace plinian::window {
+
+namespace {
+
+// Whether it is turned about y after x: then y is its azimuth and x its elevation.
+bool turns_x_first(RotateOrder order) {
+  return order == RotateOrder::xyz || order == RotateOrder::zxy || order == RotateOrder::xzy;
+}
+
+// A mirrored light shines the other way.
+double sign_of(const Placement& placement) {
+  return placement.scale.z < 0.0 ? -1.0 : 1.0;
+}
+
+}  // namespace
+
+bool has_direction(const std::string& node_type) {
+  return node_type == "directionalLight" || node_type == "spotLight";
+}
+
+std::optional<SkyAngles> sky_angles(const Placement& placement, const dmat4& world_from_parent) {
+  const dmat3 own(matrix_of({.rotate = placement.rotate, .order = placement.order}));
+  const dmat3 parent(world_from_parent);
+  const dvec3 toward = parent * own[2] * sign_of(placement);
+  const double length = glm::length(toward), determinant = std::abs(glm::determinant(parent));
+  const double size = glm::length(parent[0]) * glm::length(parent[1]) * glm::length(parent[2]);
+  if (!(determinant > 1e-9 * size)) return std::nullopt;
+  const double across = std::hypot(toward.x, toward.z);
+  const dvec3 side = parent * own[0];
+  const double azimuth =
+      across > 1e-9 * length ? std::atan2(toward.x, toward.z) : std::atan2(-side.z, side.x);
+  return SkyAngles{glm::degrees(azimuth), glm::degrees(std::atan2(toward.y, across))};
+}
+
+dvec3 rotation_toward(const SkyAngles& angles, const Placement& placement, const dmat4& world_from_parent) {
+  const bool is_free = dmat3(world_from_parent) == dmat3(1.0) && sign_of(placement) > 0.0;
+  dvec3 rotation(0.0);
+  if (turns_x_first(placement.order) && is_free) {
+    rotation = {-angles.elevation, angles.azimuth, 0.0};  // exact, and straight above too
+  } else {
+    const dvec3 own = glm::normalize(glm::inverse(dmat3(world_from_parent)) *
+                                     direction_from(angles.azimuth, angles.elevation)) *
+                      sign_of(placement);
+    rotation = turns_x_first(placement.order)
+                   ? angles_toward(own)
+                   : dvec3(glm::degrees(std::atan2(-own.y, own.z)),
+                           glm::degrees(std::asin(std::clamp(own.x, -1.0, 1.0))), 0.0);
+  }
+  rotation.y += 360.0 * std::round((placement.rotate.y - rotation.y) / 360.0);
+  rotation = glm::round(rotation * 1e4) / 1e4 + 0.0;  // no -0
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(rotation[i] - placement.rotate[i]) < 1e-4) rotation[i] = placement.rotate[i];
+  return rotation;
+}
+
+std::vector<std::string> rotate_lines(const std::string& node, const dvec3& before, const dvec3& after) {
+  const std::string set = "setAttr " + node + ".rotate";
+  std::vector<std::string> lines;
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(after[i] - before[i]) > 1e-7)
+      lines.push_back(set + "." + "xyz"[i] + " " + graph::write_number(after[i]));
+  if (lines.size() == 3)
+    lines = {set + " " + graph::write_number(after.x) + " " + graph::write_number(after.y) + " " +
+             graph::write_number(after.z)};
+  return lines;
+}
+
+}  // namespace plinian::window

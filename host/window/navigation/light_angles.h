@@ -1,0 +1,34 @@
+// Where in the sky a light stands: the angles that whoever lights a scene thinks in, and the rotation of its
+// node that makes them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/scene/placement.h"
+
+namespace plinian::window {
+
+/// Of where a light comes from, in the world.
+struct SkyAngles {
+  double azimuth = 0.0;    // [degrees] in [-180, 180]: 0 from +z, 90 from +x
+  double elevation = 0.0;  // [degrees] in [-90, 90]: 90 from above (+y)
+};
+
+/// Whether lights of that type shine one way, so that they can be turned.
+bool has_direction(const std::string& node_type);
+
+/// Of a light that is placed so under a parent. None where the parent is squeezed to nothing. Straight above
+/// and below, the azimuth is the one that it was turned by.
+std::optional<SkyAngles> sky_angles(const Placement& placement, const dmat4& world_from_parent);
+
+/// The rotation [degrees about x, y, z] that puts the light there: without a roll about its own direction,
+/// and turned about y as often as it was. Rounded to 1e-4 degrees; what changes by less stays. Only under a
+/// parent that is not squeezed.
+dvec3 rotation_toward(const SkyAngles& angles, const Placement& placement, const dmat4& world_from_parent);
+
+/// The commands that turn a node so: they set what changes, and leave the rest.
+std::vector<std::string> rotate_lines(const std::string& node, const dvec3& before, const dvec3& after);
+
+}  // namespace plinian::window
