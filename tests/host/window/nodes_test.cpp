@@ -46,14 +46,18 @@ TEST(LayeredLayout, WhatComesAloneKeepsTheWholeAsWideAsAPane) {
     lay_out(boxes, {{0, 1}, {1, 2}, {2, 3}});
     vec2 begin(1e9f), end(-1e9f);
     for (std::size_t b = 0; b < boxes.size(); ++b) {
-      if (b < before.size()) EXPECT_EQ(*boxes[b].place, *before[b].place);
+      if (b < before.size()) {
+        EXPECT_EQ(*boxes[b].place, *before[b].place);
+      }
       for (std::size_t c = 0; c < b; ++c) EXPECT_FALSE(overlap(boxes[b], boxes[c])) << b << " and " << c;
       begin = glm::min(begin, *boxes[b].place);
       end = glm::max(end, *boxes[b].place + boxes[b].size);
     }
     const vec2 size = end - begin;
     EXPECT_GT(size.x, 2.0f * size.y) << i;
-    if (i > 1) EXPECT_LT(size.x, 8.0f * size.y) << i;
+    if (i > 1) {
+      EXPECT_LT(size.x, 8.0f * size.y) << i;
+    }
   }
 }
 
