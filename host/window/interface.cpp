@@ -187,6 +187,8 @@ void Interface::draw_meanwhile() {
 // Keys wait for a field that is about to take them.
 void Interface::tell_input() {
   if (!is_typing_expected()) window_.tell_input();
+  studio_.light_key_held = window_.is_held(studio_.hotkeys.chord(Action::light_hand));
+  studio_.zoom_key_held = window_.is_held(studio_.hotkeys.chord(Action::zoom_hand));
   if (window_.has_input()) redraws_ = std::max(redraws_, 1);
 }
 
@@ -199,7 +201,6 @@ void Interface::take_input() {
     typing_ = typing;
     studio_.trace.note(typing ? "keys to a field" : "keys to the window");
   }
-  studio_.light_key_held = window_.is_held('L');
   for (const std::string& path : window_.take_dropped()) studio_.files.add(path);
   if (window_.take_close_request() || std::exchange(studio_.wants_quit, false))
     studio_.files.unless_unsaved([this] { studio_.quit = true; });

@@ -27,28 +27,45 @@ void key(unsigned colour, const char* text) {
   ImGui::PopStyleColor();
 }
 
+void draw_mark(vec2 at, float gap, const PaneRect& room) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->PushClipRect(to_im(room.begin), to_im(room.begin + room.size), true);
+  for (const auto& [colour, width] : {std::pair(0xa0000000u, 3.0f), std::pair(point_colour, 1.0f)})
+    for (const vec2 axis : {vec2(1, 0), vec2(0, 1)})
+      for (const float side : {-1.0f, 1.0f})
+        list->AddLine(to_im(at + axis * (side * gap)), to_im(at + axis * (side * (gap + scaled(7)))), colour,
+                      scaled(width));
+  list->PopClipRect();
+}
+
 }  // namespace
 
-void ProbePanel::choose(Studio& studio, const PaneRect& picture, bool hovered) {
+void ProbePanel::choose(Studio& studio, const PicturePlaces& places, const PaneRect& shown, bool free) {
   Inspector& inspector = studio.inspector;
   const ImGuiIO& io = ImGui::GetIO();
+  const vec2 mouse(io.MousePos.x, io.MousePos.y);
   if (!ImGui::IsMouseDown(0) || !inspector.on) held_ = false;
-  if (inspector.on && hovered && ImGui::IsMouseClicked(0) && !io.KeyAlt && !studio.light_key_held)
+  if (inspector.on && free && ImGui::IsMouseClicked(0) && !io.KeyAlt && !studio.light_key_held) {
     held_ = true;
+    way_ = places.way_to_picture(mouse);
+  }
   if (held_) {
-    const vec2 share = (vec2(io.MousePos.x, io.MousePos.y) - picture.begin) / picture.size;
+    const vec2 share = (mouse + way_ - shown.begin) / shown.size;
     inspector.place = glm::clamp(share, vec2(0.0f), vec2(1.0f));
     inspector.t.reset();
   }
   inspector.update(studio.renderer.picture());
   if (!inspector.on || !inspector.place) return;
-  const vec2 at = picture.begin + *inspector.place * picture.size;
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  for (const auto& [colour, width] : {std::pair(0xa0000000u, 3.0f), std::pair(point_colour, 1.0f)})
-    for (const vec2 axis : {vec2(1, 0), vec2(0, 1)})
-      for (const float side : {-1.0f, 1.0f})
-        list->AddLine(to_im(at + axis * (side * scaled(4))), to_im(at + axis * (side * scaled(11))), colour,
-                      scaled(width));
+  const ViewPicturePtr picture = studio.picture();
+  if (!picture) return;
+  // Around the pixel, however large that is.
+  const vec2 pixels(picture->scene.width, picture->scene.height);
+  const vec2 middle = (glm::min(glm::floor(*inspector.place * pixels), pixels - 1.0f) + 0.5f) / pixels;
+  const float gap = std::max(scaled(4), 0.5f * shown.size.x / pixels.x + scaled(3));
+  draw_mark(shown.begin + middle * shown.size, gap, places.room);
+  if (places.other.begin != places.picture.begin)
+    draw_mark(shown.begin + places.other.begin - places.picture.begin + middle * shown.size, gap,
+              places.other_room);
 }
 
 void ProbePanel::show_view_ray(Studio& studio, const Inspection& inspection, vec2 size) {

@@ -9,6 +9,7 @@
 #include "core/image/heat_map.h"
 #include "host/window/panels/overlay_text.h"
 #include "host/window/panels/snapshot_strip.h"
+#include "host/window/panels/zoom_hand.h"
 #include "host/window/platform/theme.h"
 
 namespace plinian::window {
@@ -17,7 +18,7 @@ namespace plinian::window {
 void show_notes(Studio& studio, const PaneRect& pane, const DevelopedPtr& shown) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float line = ImGui::GetTextLineHeight() + scaled(3);
-  vec2 at = pane.begin + vec2(scaled(10), scaled(8));
+  vec2 at = pane.begin + vec2(scaled(10) + zoom_badge_width(studio), scaled(8));
   const std::vector<std::string>& problems = studio.feed.problems();
   const std::string render_error = studio.renderer.status().error;
   for (const std::string& problem : problems) {
