@@ -194,7 +194,8 @@ void Overlay::show_cameras(Studio& studio, const Projection& projection) {
   }
 }
 
-void Overlay::show(Studio& studio, const ViewPicture& picture, const PaneRect& place, const PaneRect& seen) {
+void Overlay::show(Studio& studio, const ViewPicture& picture, const PaneRect& place, const PaneRect& seen,
+                   float bottom) {
   icons_.clear();
   const SceneSnapshot& scene = picture.scene;
   const Projection projection(scene.camera, scene.width, scene.height, place.begin, place.size);
@@ -208,7 +209,7 @@ void Overlay::show(Studio& studio, const ViewPicture& picture, const PaneRect& p
     show_lights(studio, picture, projection);
     show_cameras(studio, projection);
   }
-  const vec2 corner = seen.begin + vec2(scaled(44), seen.size.y - scaled(70));
+  const vec2 corner(seen.begin.x + scaled(44), std::min(seen.begin.y + seen.size.y, bottom) - scaled(70));
   if (choice.axes) draw_axes(scene.camera, corner);
   if (choice.scale_bar) draw_scale_bar(projection, bounds, corner + vec2(scaled(52), scaled(22)));
   if (choice.gate && !studio.viewpoint.look.free && studio.feed.snapshot())

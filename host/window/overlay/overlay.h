@@ -20,8 +20,9 @@ class Drawings;
 class Overlay {
  public:
   /// Draws what is chosen over the picture that is shown. place, seen: [points] where that is, and the part
-  /// of it that is seen.
-  void show(Studio& studio, const ViewPicture& picture, const PaneRect& place, const PaneRect& seen);
+  /// of it that is seen; bottom: under which others write.
+  void show(Studio& studio, const ViewPicture& picture, const PaneRect& place, const PaneRect& seen,
+            float bottom);
   /// Selects by the mouse. free: it is over the picture, and nobody else's.
   void select(Studio& studio, Drawings& drawings, const ViewPicture& picture, const PaneRect& place,
               bool free);

@@ -121,6 +121,8 @@ void ViewportPanel::show(Studio& studio, Drawings& drawings, const PaneRect& pan
   const bool hovered = ImGui::IsItemHovered();
   zoom_.move(studio, place(), hovered);
   const PicturePlaces places = place();
+  PaneRect above = pane;  // the lines that read out the pixel
+  above.size.y -= PixelLines::more_height(studio);
   PaneRect shown = places.picture;  // where the picture lies
   if (texture_.name() != 0) {
     // A picture of another shape than the pane's keeps its own until the next one is there.
@@ -142,7 +144,7 @@ void ViewportPanel::show(Studio& studio, Drawings& drawings, const PaneRect& pan
     const ViewPicture& picture = *texture_.shown()->picture;
     const ImGuiIO& io = ImGui::GetIO();
     const bool over = free && holds(places.room, vec2(io.MousePos.x, io.MousePos.y));
-    overlay_.show(studio, picture, shown, common(shown, places.room));
+    overlay_.show(studio, picture, shown, common(shown, places.room), above.begin.y + above.size.y);
     handles_.show(studio, picture, shown.begin, shown.size, over);
     overlay_.select(studio, drawings, picture, shown, over && !handles_.is_taken());
   }
@@ -151,11 +153,11 @@ void ViewportPanel::show(Studio& studio, Drawings& drawings, const PaneRect& pan
   hand_.move(studio, places.picture, free);
   show_notes(studio, pane, texture_.shown());
   show_map_error(studio, texture_.shown(), pane);
-  if (hovered) show_pixel(texture_.shown(), shown, pane);
+  pixel_.show(studio, texture_.shown(), places, shown, pane, hovered);
   ImGui::End();
   show_zoom_badge(studio, pane);
   probe_.show(studio, pane);
-  snapshots_.show(studio, pane);
+  snapshots_.show(studio, above);
   looks_.show(studio, pane);
 }
 

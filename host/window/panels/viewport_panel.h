@@ -8,6 +8,7 @@
 #include "host/window/panels/layout.h"
 #include "host/window/panels/look_gallery.h"
 #include "host/window/panels/picture_places.h"
+#include "host/window/panels/pixel_lines.h"
 #include "host/window/panels/probe_panel.h"
 #include "host/window/panels/snapshot_strip.h"
 #include "host/window/panels/viewport_hand.h"
@@ -35,6 +36,7 @@ class ViewportPanel {
   ViewportHandles handles_;
   ProbePanel probe_;
   ZoomHand zoom_;
+  PixelLines pixel_;
   ViewPicturePtr asked_picture_;
   std::string asked_development_;
 };
