@@ -52,6 +52,7 @@ Interface::Interface(MainWindow& window, Studio& studio)
   const Kept files = kept_files();
   sizes_ = read_pane_sizes(text_in(files.panes));
   studio_.show_nodes = sizes_.shows_nodes;
+  studio_.inspector.spot = sizes_.probe;
   studio_.overlay = read_overlay_choice(text_in(files.hidden));
   studio_.commands.draw_meanwhile = [this] { draw_meanwhile(); };
 }
@@ -329,6 +330,7 @@ void Interface::show_panels() {
   ImGui::EndDisabled();
   const ivec2 room = window_.size();
   sizes_.shows_nodes = studio_.show_nodes;
+  sizes_.probe = studio_.inspector.spot;
   const float line = ImGui::GetFrameHeight(), timeline = line + scaled(8);
   const Panes panes = lay_out(sizes_, vec2(room), line, timeline, line + scaled(2), scaled(100) / 100.0f,
                               studio_.show_panels);

@@ -192,6 +192,7 @@ void ComparisonOverlay::show(Studio& studio, const PaneRect& pane, const Picture
     draw_text(text_at, colour::text, line);
     at.y += row;
   }
+  bottom_ = at.y;
 }
 
 }  // namespace plinian::window

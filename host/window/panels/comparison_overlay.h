@@ -16,6 +16,8 @@ class ComparisonOverlay {
             double pixel_ratio, bool free);
   /// Whether the mouse has hold of the line.
   bool is_held() const { return hold_ != Hold::nothing; }
+  /// Where its lines end that stand in the pane's upper right corner. [points]
+  float bottom() const { return bottom_; }
 
  private:
   enum class Hold { nothing, line, forward_grip, backward_grip };
@@ -26,6 +28,7 @@ class ComparisonOverlay {
   ViewPicturePtr asked_;
   std::string asked_how_;
   Hold hold_ = Hold::nothing;
+  float bottom_ = 0.0f;
   vec2 grabbed_{0.0f};  // [points] from the line's middle to the mouse
 };
 
