@@ -172,10 +172,11 @@ void ProbePanel::show_curves(Studio& studio, const Inspection& found) {
 
 // Where it hides least, unless it was dragged somewhere. Looked for anew with another pixel or pane alone, so
 // that it does not jump while a picture moves.
-void ProbePanel::settle_card(const Studio& studio, const PaneRect& room, const Frame* frame) {
+void ProbePanel::settle_card(const Studio& studio, const PaneRect& room, const PaneRect& taken,
+                             const Frame* frame) {
   const vec2 pixel = shown_.begin + studio.inspector.place.value_or(vec2(0.0f)) * shown_.size;
   const std::vector<ProbeCard> cards = probe_cards(room, scaled(1));
-  const Asked asked{studio.inspector.place, room.begin, room.size, shown_.begin, shown_.size};
+  const Asked asked{studio.inspector.place, room.begin, room.size, taken.begin, shown_.begin, shown_.size};
   const float reach = scaled(26);  // of the mark, and a little of what is around it
   if (index_ && *index_ < cards.size() && (asked == asked_ || held_) &&
       leaves_free(cards[*index_].place, pixel, reach)) {
@@ -184,6 +185,8 @@ void ProbePanel::settle_card(const Studio& studio, const PaneRect& room, const F
   }
   asked_ = asked;
   const auto smoke = [&](vec2 at) {
+    constexpr float as_dear = 5.0f;  // as smoke, where another panel is
+    if (holds(taken, at)) return as_dear;
     const vec2 share = (at - shown_.begin) / shown_.size;
     if (!frame || share.x < 0.0f || share.y < 0.0f || share.x >= 1.0f || share.y >= 1.0f) return 0.0f;
     const ivec2 size(frame->width, frame->height), p = glm::min(ivec2(share * vec2(size)), size - 1);
@@ -210,13 +213,13 @@ void ProbePanel::drag_card(Studio& studio) {
   spot = {glm::clamp((mouse - *grabbed_) / room, vec2(0.0f), vec2(1.0f)), card_.place.size / scaled(1)};
 }
 
-void ProbePanel::show(Studio& studio, const PaneRect& room, const Frame* frame) {
+void ProbePanel::show(Studio& studio, const PaneRect& room, const PaneRect& taken, const Frame* frame) {
   Inspector& inspector = studio.inspector;
   if (!inspector.on) return;
   const InspectionPtr found = inspector.place ? inspector.inspection() : nullptr;
   const bool has_curves = found && found->error.empty() && !found->view.samples.empty();
   if (room.size.x < scaled(160) || room.size.y < scaled(80)) return;
-  settle_card(studio, room, frame);
+  settle_card(studio, room, taken, frame);
   if (const auto& spot = inspector.spot) {
     const ImVec2 window = ImGui::GetMainViewport()->Size;
     card_.place.size = glm::min(spot->size * scaled(1), vec2(window.x, window.y));

@@ -13,9 +13,9 @@ class ProbePanel {
   /// probe is on. shown: [points] where the picture is; free: the mouse is in the viewport, and nobody
   /// else's. Marks the pixel.
   void choose(Studio& studio, const PicturePlaces& places, const PaneRect& shown, bool free);
-  /// The curves, on a card. room: [points] of the pane, that nobody else writes in. frame: of the picture
-  /// that is shown, or null.
-  void show(Studio& studio, const PaneRect& room, const Frame* frame);
+  /// The curves, on a card. room: [points] of the pane, that nobody else writes in; taken: what of it is
+  /// better left free, too. frame: of the picture that is shown, or null.
+  void show(Studio& studio, const PaneRect& room, const PaneRect& taken, const Frame* frame);
   /// Whether the mouse is choosing.
   bool is_held() const { return held_; }
 
@@ -23,10 +23,10 @@ class ProbePanel {
   // What the card's place depends on.
   struct Asked {
     std::optional<vec2> place;
-    vec2 room{0.0f}, room_size{0.0f}, shown{0.0f}, shown_size{0.0f};
+    vec2 room{0.0f}, room_size{0.0f}, taken{0.0f}, shown{0.0f}, shown_size{0.0f};
     bool operator==(const Asked&) const = default;
   };
-  void settle_card(const Studio& studio, const PaneRect& room, const Frame* frame);
+  void settle_card(const Studio& studio, const PaneRect& room, const PaneRect& taken, const Frame* frame);
   void drag_card(Studio& studio);
   void show_header(Studio& studio, const Inspection& found);
   void show_curves(Studio& studio, const Inspection& found);

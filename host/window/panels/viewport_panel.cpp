@@ -156,12 +156,13 @@ void ViewportPanel::show(Studio& studio, Drawings& drawings, const PaneRect& pan
   pixel_.show(studio, texture_.shown(), places, shown, pane, hovered);
   ImGui::End();
   show_zoom_badge(studio, pane);
+  snapshots_.show(studio, above);
   // Between what is written along the edges.
   const float top = std::max(pane.begin.y + scaled(34), comparison_.bottom() + scaled(6));
   const vec2 corner(pane.begin.x + scaled(10), top);
   const vec2 end = above.begin + above.size - vec2(scaled(10), scaled(34));
-  probe_.show(studio, {corner, end - corner}, texture_.shown() ? &texture_.shown()->picture->frame : nullptr);
-  snapshots_.show(studio, above);
+  probe_.show(studio, {corner, end - corner}, snapshots_.place(),
+              texture_.shown() ? &texture_.shown()->picture->frame : nullptr);
   looks_.show(studio, pane);
 }
 
