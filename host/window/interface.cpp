@@ -52,6 +52,7 @@ Interface::Interface(MainWindow& window, Studio& studio)
   const Kept files = kept_files();
   sizes_ = read_pane_sizes(text_in(files.panes));
   studio_.show_nodes = sizes_.shows_nodes;
+  studio_.inspector.spot = sizes_.probe;
   studio_.overlay = read_overlay_choice(text_in(files.hidden));
   studio_.commands.draw_meanwhile = [this] { draw_meanwhile(); };
 }
@@ -196,6 +197,8 @@ bool Interface::is_meant(const Chord& chord) const {
 // Keys wait for a field that is about to take them.
 void Interface::tell_input() {
   if (!is_typing_expected()) window_.tell_input();
+  studio_.light_key_held = window_.is_held(studio_.hotkeys.chord(Action::light_hand));
+  studio_.zoom_key_held = window_.is_held(studio_.hotkeys.chord(Action::zoom_hand));
   if (window_.has_input()) redraws_ = std::max(redraws_, 1);
 }
 
@@ -205,7 +208,6 @@ void Interface::take_input() {
     if (const auto action = action_of(chord); action && !nodes_.take(*action)) act(*action);
   }
   note_keys();
-  studio_.light_key_held = window_.is_held('L');
   for (const std::string& path : window_.take_dropped()) studio_.files.add(path);
   if (window_.take_close_request() || std::exchange(studio_.wants_quit, false))
     studio_.files.unless_unsaved([this] { studio_.quit = true; });
@@ -339,6 +341,7 @@ void Interface::show_panels() {
   ImGui::EndDisabled();
   const ivec2 room = window_.size();
   sizes_.shows_nodes = studio_.show_nodes;
+  sizes_.probe = studio_.inspector.spot;
   const float line = ImGui::GetFrameHeight(), timeline = line + scaled(8);
   const Panes panes = lay_out(sizes_, vec2(room), line, timeline, line + scaled(2), scaled(100) / 100.0f,
                               studio_.show_panels);

@@ -102,6 +102,8 @@ class Studio {
   // What the panels tell one another.
   bool show_hotkeys = false, show_display = false, show_panels = true;
   bool light_key_held = false;  // the mouse turns the key light
+  bool zoom_key_held = false;   // the mouse pans the picture, the wheel magnifies it
+  int zoom_steps = 0;           // that keys ask for; see PictureZoom
   bool focus_console = false, wants_quit = false, quit = false;
   bool ask_open = false, ask_save_as = false, ask_reference = false, ask_plate = false;
   std::optional<FileWish> ask_file;  // of an attribute

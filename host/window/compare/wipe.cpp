@@ -37,6 +37,14 @@ void Wipe::move_to(vec2 point, vec2 begin, vec2 size) {
   at = glm::clamp((point - begin) / glm::max(size, vec2(1.0f)), vec2(0.0f), vec2(1.0f));
 }
 
+void Wipe::keep_within(vec2 part_begin, vec2 part_size, vec2 begin, vec2 size) {
+  const vec2 part_end = part_begin + part_size, now = begin + at * size;
+  const auto held = [&](vec2 point) { return glm::clamp(point, part_begin, part_end); };
+  if (glm::length(held(now) - now) < 0.5f) return;
+  const vec2 middle = part_begin + 0.5f * part_size;
+  move_to(held(now + along() * glm::dot(middle - now, along())), begin, size);
+}
+
 void Wipe::turn_to(vec2 point, vec2 begin, vec2 size, bool forwards) {
   const vec2 toward = (point - (begin + at * size)) * (forwards ? 1.0f : -1.0f);
   if (glm::length(toward) > 1.0f) angle = std::atan2(-toward.x, toward.y);

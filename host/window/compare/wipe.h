@@ -22,6 +22,9 @@ struct Wipe {
   std::vector<vec2> other_side(vec2 begin, vec2 size) const;
   /// Goes to where the mouse is, held within the picture.
   void move_to(vec2 point, vec2 begin, vec2 size);
+  /// Where its point is not in that part of the picture, the nearest one of the line is taken there or, where
+  /// none is near, the line goes there: it can always be taken hold of.
+  void keep_within(vec2 part_begin, vec2 part_size, vec2 begin, vec2 size);
   /// Turns so that the line goes through the point. forwards: the point lies along(), else against it.
   void turn_to(vec2 point, vec2 begin, vec2 size, bool forwards);
 };

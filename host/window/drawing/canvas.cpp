@@ -88,11 +88,11 @@ void Canvas::begin(const DevelopedPtr& developed, const ViewMatrices& matrices) 
   glTextureSubImage2D(colour_.name(), 0, 0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, colours_.data());
 }
 
-void Canvas::filter(vec2 place) {
+void Canvas::filter(vec2 place, bool squares) {
   // Pixel for pixel where it is as large as its place.
   const GLint wanted = ivec2(glm::round(place)) == size_ ? GL_NEAREST : GL_LINEAR;
-  for (const GLenum way : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    glTextureParameteri(colour_.name(), way, wanted);
+  glTextureParameteri(colour_.name(), GL_TEXTURE_MIN_FILTER, wanted);
+  glTextureParameteri(colour_.name(), GL_TEXTURE_MAG_FILTER, squares ? GL_NEAREST : wanted);
 }
 
 std::vector<std::uint8_t> colour_buffer_of(const Developed& developed, ivec2 size) {

@@ -28,8 +28,8 @@ class Canvas {
   /// distances [world], infinite where there is nothing.
   unsigned radiance() const { return radiance_.name(); }
   unsigned distances() const { return distances_.name(); }
-  /// To be shown that large [pixels of the screen].
-  void filter(vec2 place);
+  /// As PictureTexture's.
+  void filter(vec2 place, bool squares);
 
  private:
   void settle(ivec2 size, ivec2 frame_size);

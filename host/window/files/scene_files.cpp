@@ -105,7 +105,7 @@ void SceneFiles::begin_with(const std::string& input) {
 
 void SceneFiles::begin_empty() {
   unless_unsaved([this] {
-    viewpoint_.look = {};
+    viewpoint_.begin_anew();
     commands_.run_now("newScene -force");
   });
 }
@@ -116,7 +116,7 @@ void SceneFiles::open(const std::string& path) {
   unless_unsaved([=, this] {
     if (!commands_.run_now("open -force " + graph::quote(path))) return;
     viewpoint_.history.clear();
-    viewpoint_.look = {};
+    viewpoint_.begin_anew();
     is_sample_ = false;
     recent.add(path);
   });
@@ -139,7 +139,7 @@ bool SceneFiles::replace_by(const std::string& input) {
     return true;
   };
   if (!session().replace_scene("import " + input, make)) return false;
-  viewpoint_.look = {};
+  viewpoint_.begin_anew();
   is_sample_ = false;
   return true;
 }
@@ -157,7 +157,7 @@ void SceneFiles::add(const std::string& path) {
     const bool bare = !scene::first_of_type(session().graph(), "camera") &&
                       !scene::first_of_type(session().graph(), "atfmVolume");
     if (bare) {
-      viewpoint_.look = {};
+      viewpoint_.begin_anew();
       import_whole(path);
       return;
     }
@@ -202,7 +202,7 @@ void SceneFiles::leave_unsaved() {
 void SceneFiles::recover(const Autosave::Left& left) {
   commands_.later([=, this] {
     try {
-      viewpoint_.look = {};
+      viewpoint_.begin_anew();
       viewpoint_.history.clear();
       session().recover_scene(left.file.string(), left.scene_path);
       autosave_.keep(graph::write_scene(session().graph()), left.scene_path);

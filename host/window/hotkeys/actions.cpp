@@ -58,6 +58,9 @@ bool is_of_the_view(Action action) {
     case Action::camera_back:
     case Action::camera_forth:
     case Action::scene_camera:
+    case Action::zoom_in:
+    case Action::zoom_out:
+    case Action::zoom_whole:
     case Action::wipe:
     case Action::side_by_side:
     case Action::flicker:
@@ -136,6 +139,15 @@ void act(Studio& studio, Action action) {
       return studio.viewpoint.go_forth();
     case Action::scene_camera:
       return studio.viewpoint.look_through_scene_camera();
+    case Action::zoom_in:
+      ++studio.zoom_steps;
+      return;
+    case Action::zoom_out:
+      --studio.zoom_steps;
+      return;
+    case Action::zoom_whole:
+      studio.viewpoint.zoom = {};
+      return;
     case Action::quality_fast:
       return studio.run("quality fast");
     case Action::quality_high:

@@ -28,6 +28,10 @@ Hotkey entry(Action action, const char* name, const char* group, const char* hel
   return {action, name, group, help, chord_of(chord).value()};
 }
 
+Hotkey held(Action action, const char* name, const char* help, const char* chord) {
+  return {action, name, "Mouse", help, chord_of(chord).value(), true};
+}
+
 }  // namespace
 
 std::string text_of(const Chord& chord) {
@@ -66,6 +70,8 @@ std::optional<Chord> chord_of(const std::string& text) {
 
 Hotkeys::Hotkeys()
     : table_{
+          held(Action::light_hand, "turnLight", "left drag turns the key light around the medium", "L"),
+          held(Action::zoom_hand, "zoomHand", "wheel magnifies the picture, left drag pans it", "Z"),
           entry(Action::new_scene, "newScene", "Scene", "begin an empty scene", "Ctrl+N"),
           entry(Action::open_scene, "openScene", "Scene", "open a scene or a volume", "Ctrl+O"),
           entry(Action::save_scene, "saveScene", "Scene", "save the scene", "Ctrl+S"),
@@ -83,6 +89,9 @@ Hotkeys::Hotkeys()
           entry(Action::axis_space, "axes", "Tools", "along the world's axes, or its own", "O"),
           entry(Action::frame_selection, "frameSelection", "View", "show what is selected", "F"),
           entry(Action::frame_all, "frameAll", "View", "show everything", "A"),
+          entry(Action::zoom_whole, "zoomWhole", "View", "the whole picture, no longer magnified", "Shift+Z"),
+          entry(Action::zoom_in, "zoomIn", "View", "magnify the picture; the camera stays", "="),
+          entry(Action::zoom_out, "zoomOut", "View", "... less", "-"),
           entry(Action::camera_back, "cameraBack", "View", "the view before", "["),
           entry(Action::camera_forth, "cameraForth", "View", "the view after", "]"),
           entry(Action::scene_camera, "sceneCamera", "View", "look through the scene's camera", "C"),

@@ -22,6 +22,11 @@ std::string text_of(const Chord& chord);
 std::optional<Chord> chord_of(const std::string& text);
 
 enum class Action {
+  zoom_hand,
+  light_hand,
+  zoom_in,
+  zoom_out,
+  zoom_whole,
   undo,
   redo,
   new_scene,
@@ -73,6 +78,7 @@ struct Hotkey {
   std::string group;  // heading it is listed under
   std::string help;   // what it does, in a few words
   Chord chord;
+  bool is_held = false;  // it goes on while the key is down, and asks for the mouse
 };
 
 class Hotkeys {

@@ -27,6 +27,11 @@ void Viewpoint::look_through_scene_camera() {
   look.free.reset();
 }
 
+void Viewpoint::begin_anew() {
+  look = {};
+  zoom = {};
+}
+
 void Viewpoint::frame(bool selection_only, ivec2 pane) {
   if (!feed_.snapshot()) return;
   std::vector<Medium> media = feed_.snapshot()->snapshot.media;
@@ -45,6 +50,7 @@ void Viewpoint::frame(bool selection_only, ivec2 pane) {
       // What cannot be told counts for nothing.
     }
   }
+  zoom = {};
   move(window::frame(free_camera(), scene_bounds(media), pane), true);
 }
 

@@ -6,6 +6,7 @@
 
 #include "host/scene/workspace.h"
 #include "host/window/navigation/camera_history.h"
+#include "host/window/navigation/picture_zoom.h"
 #include "host/window/view/scene_feed.h"
 
 namespace plinian::window {
@@ -16,6 +17,7 @@ class Viewpoint {
 
   Look look;
   CameraHistory history;
+  PictureZoom zoom;
 
   /// The camera that is looked through; needs a snapshot.
   Camera camera() const;
@@ -24,8 +26,10 @@ class Viewpoint {
   /// Looks through `camera` from now on. begins: notes for `[` how it was.
   void move(const FreeCamera& camera, bool begins);
   void look_through_scene_camera();
-  /// Shows everything, or what is selected, as soon as it is known how large that is. pane: [pixels] of the
-  /// picture.
+  /// As what is another scene is looked at first: through its camera, all of the picture.
+  void begin_anew();
+  /// Shows everything, or what is selected, as soon as it is known how large that is, in a picture of which
+  /// all is seen. pane: [pixels] of the picture.
   void frame(bool selection_only, ivec2 pane);
   /// Frames what was waited for. To be called once a turn.
   void update();

@@ -194,13 +194,14 @@ void Overlay::show_cameras(Studio& studio, const Projection& projection) {
   }
 }
 
-void Overlay::show(Studio& studio, const ViewPicture& picture, vec2 begin, vec2 size) {
+void Overlay::show(Studio& studio, const ViewPicture& picture, const PaneRect& place, const PaneRect& seen,
+                   float bottom) {
   icons_.clear();
   const SceneSnapshot& scene = picture.scene;
-  const Projection projection(scene.camera, scene.width, scene.height, begin, size);
+  const Projection projection(scene.camera, scene.width, scene.height, place.begin, place.size);
   const OverlayChoice& choice = studio.overlay;
   ImDrawList* list = ImGui::GetWindowDrawList();
-  list->PushClipRect(to_im(begin), to_im(begin + size), true);
+  list->PushClipRect(to_im(seen.begin), to_im(seen.begin + seen.size), true);
   const SceneBounds& bounds = picture.extent->all();
   if (choice.grid) draw_grid(picture.frame, projection, bounds);
   if (choice.bounds) show_bounds(studio, picture, projection);
@@ -208,15 +209,15 @@ void Overlay::show(Studio& studio, const ViewPicture& picture, vec2 begin, vec2 
     show_lights(studio, picture, projection);
     show_cameras(studio, projection);
   }
-  const vec2 corner = begin + vec2(scaled(44), size.y - scaled(70));
+  const vec2 corner(seen.begin.x + scaled(44), std::min(seen.begin.y + seen.size.y, bottom) - scaled(70));
   if (choice.axes) draw_axes(scene.camera, corner);
   if (choice.scale_bar) draw_scale_bar(projection, bounds, corner + vec2(scaled(52), scaled(22)));
   if (choice.gate && !studio.viewpoint.look.free && studio.feed.snapshot())
-    draw_gate(studio.feed.snapshot()->snapshot, begin, size);
+    draw_gate(studio.feed.snapshot()->snapshot, place.begin, place.size);
   list->PopClipRect();
 }
 
-void Overlay::select(Studio& studio, Drawings& drawings, const ViewPicture& picture, vec2 begin, vec2 size,
+void Overlay::select(Studio& studio, Drawings& drawings, const ViewPicture& picture, const PaneRect& place,
                      bool free) {
   const ImGuiIO& io = ImGui::GetIO();
   const vec2 mouse(io.MousePos.x, io.MousePos.y);
@@ -235,13 +236,13 @@ void Overlay::select(Studio& studio, Drawings& drawings, const ViewPicture& pict
       node = icon.node;
     }
   // Icons lie over everything, but are not as exact as what is drawn in the scene.
-  if (const auto drawn = drawings.hit((mouse - begin) / size); drawn && nearest > scaled(6))
+  if (const auto drawn = drawings.hit((mouse - place.begin) / place.size); drawn && nearest > scaled(6))
     node = drawn->node;
   const SceneSnapshot& scene = picture.scene;
   if (node.empty()) {
-    const Projection projection(scene.camera, scene.width, scene.height, begin, size);
-    if (const auto medium = medium_seen(scene, picture.frame, (mouse - begin) / size, projection.eye(),
-                                        projection.direction(mouse)))
+    const Projection projection(scene.camera, scene.width, scene.height, place.begin, place.size);
+    if (const auto medium = medium_seen(scene, picture.frame, (mouse - place.begin) / place.size,
+                                        projection.eye(), projection.direction(mouse)))
       node = scene.media[*medium].name;
   }
   const graph::Graph& graph = studio.session().graph();

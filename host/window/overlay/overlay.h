@@ -9,6 +9,7 @@
 
 #include "host/window/overlay/overlay_choice.h"
 #include "host/window/overlay/projection.h"
+#include "host/window/panels/layout.h"
 #include "host/window/studio.h"
 
 namespace plinian::window {
@@ -18,10 +19,12 @@ class Drawings;
 
 class Overlay {
  public:
-  /// Draws what is chosen over the picture that is shown. begin, size: [points] where that is.
-  void show(Studio& studio, const ViewPicture& picture, vec2 begin, vec2 size);
-  /// Selects by the mouse. free: it is in the viewport, and nobody else's.
-  void select(Studio& studio, Drawings& drawings, const ViewPicture& picture, vec2 begin, vec2 size,
+  /// Draws what is chosen over the picture that is shown. place, seen: [points] where that is, and the part
+  /// of it that is seen; bottom: under which others write.
+  void show(Studio& studio, const ViewPicture& picture, const PaneRect& place, const PaneRect& seen,
+            float bottom);
+  /// Selects by the mouse. free: it is over the picture, and nobody else's.
+  void select(Studio& studio, Drawings& drawings, const ViewPicture& picture, const PaneRect& place,
               bool free);
 
  private:

@@ -34,6 +34,7 @@ std::vector<PaletteEntry> palette_entries(graph::Session& session, const Hotkeys
                                           const std::vector<sdk::MenuItem>& of_plugins) {
   std::vector<PaletteEntry> entries;
   for (const Hotkey& hotkey : hotkeys.all()) {
+    if (hotkey.is_held) continue;
     const std::string keys = text_of(hotkey.chord);
     entries.push_back({.title = spaced(hotkey.name),
                        .kind = "action",

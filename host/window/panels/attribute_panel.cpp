@@ -192,16 +192,11 @@ void AttributePanel::show_row(Studio& studio, const AttributeRow& row) {
                     vec2(ImGui::GetItemRectSize().x, ImGui::GetItemRectSize().y));
   if (row.changed) {  // a mark that puts it back
     ImGui::SetCursorScreenPos({begin.x + whole - mark, begin.y});
-    if (ImGui::InvisibleButton("reset", {mark, ImGui::GetFrameHeight()})) {
+    if (show_changed_dot(mark, "Not at its default; click to put it back.")) {
       const std::string key = studio.commands.new_merge_key("reset");
       for (const std::string& line : reset_lines(graph, row.plug)) studio.run(line, key);
       studio.commands.end_drag();
     }
-    const bool hot = ImGui::IsItemHovered();
-    help("Not at its default; click to put it back.");
-    const float middle = begin.y + ImGui::GetFrameHeight() / 2;
-    ImGui::GetWindowDrawList()->AddCircleFilled({begin.x + whole - mark / 2, middle}, scaled(hot ? 5 : 3),
-                                                colour::changed, 12);
     studio.trace.item(row.name + " reset", vec2(begin.x + whole - mark, begin.y),
                       vec2(mark, ImGui::GetFrameHeight()));
   }

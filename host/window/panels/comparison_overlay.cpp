@@ -8,33 +8,13 @@
 
 #include "host/window/panels/fitted.h"
 #include "host/window/panels/overlay_text.h"
+#include "host/window/panels/picture_image.h"
+#include "host/window/panels/zoom_hand.h"
 #include "host/window/platform/theme.h"
 
 namespace plinian::window {
 
 namespace {
-
-ImTextureID texture_id(const PictureTexture& texture) {
-  return ImTextureID(std::intptr_t(texture.name()));
-}
-
-// A part of a picture: a convex polygon [points] of where the whole of it is.
-void add_image_polygon(ImDrawList* list, ImTextureID texture, const std::vector<vec2>& polygon,
-                       const PaneRect& place) {
-  if (polygon.size() < 3) return;
-  const int corners = int(polygon.size());
-  list->PushTextureID(texture);
-  list->PrimReserve((corners - 2) * 3, corners);
-  const auto first = ImDrawIdx(list->_VtxCurrentIdx);
-  for (int i = 2; i < corners; ++i) {
-    list->PrimWriteIdx(first);
-    list->PrimWriteIdx(ImDrawIdx(first + i - 1));
-    list->PrimWriteIdx(ImDrawIdx(first + i));
-  }
-  for (const vec2& corner : polygon)
-    list->PrimWriteVtx(to_im(corner), to_im((corner - place.begin) / place.size), 0xffffffff);
-  list->PopTextureID();
-}
 
 std::string size_text(ivec2 size) {
   return fmt::format("{}x{}", size.x, size.y);
@@ -68,21 +48,23 @@ void ComparisonOverlay::take_picture(Studio& studio, const DevelopedPtr& shown) 
 }
 
 // The other picture on one side of a line that is dragged, and turned by its grips.
-void ComparisonOverlay::show_wipe(Studio& studio, const PaneRect& picture, bool hovered) {
+void ComparisonOverlay::show_wipe(Studio& studio, const PicturePlaces& places, bool free) {
   Wipe& wipe = studio.comparison.wipe;
-  const vec2 begin = picture.begin, size = picture.size;
+  const vec2 begin = places.picture.begin, size = places.picture.size;
+  const PaneRect seen = common(places.picture, places.room);
+  if (const vec2 margin(scaled(12)); studio.viewpoint.zoom.is_on())
+    wipe.keep_within(seen.begin + margin, glm::max(seen.size - 2.0f * margin, vec2(1.0f)), begin, size);
   ImDrawList* list = ImGui::GetWindowDrawList();
   // In its own shape, where the pane has another: seen through the free camera.
   const DevelopedPtr& other = texture_.shown();
-  const PaneRect place = other ? fitted(picture, vec2(other->width, other->height)) : picture;
-  add_image_polygon(list, texture_id(texture_),
-                    clipped(wipe.other_side(begin, size), place.begin, place.size), place);
+  const PaneRect place = other ? fitted(places.picture, vec2(other->width, other->height)) : places.picture;
+  const PaneRect part = common(place, seen);
+  add_image(texture_.name(), place, clipped(wipe.other_side(begin, size), part.begin, part.size));
   const vec2 mouse(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
   const vec2 middle = begin + wipe.at * size;
-  const float reach = std::min(size.x, size.y) * 0.3f;
+  const float reach = std::min(seen.size.x, seen.size.y) * 0.3f;
   const vec2 forward = middle + wipe.along() * reach, backward = middle - wipe.along() * reach;
-  const bool inside = mouse.x > begin.x && mouse.y > begin.y && mouse.x < begin.x + size.x &&
-                      mouse.y < begin.y + size.y && hovered;
+  const bool inside = free && holds(seen, mouse);
   const auto near_to = [&](vec2 point) { return glm::length(mouse - point) < scaled(9); };
   Hold under = Hold::nothing;
   if (inside && std::abs(wipe.distance(mouse, begin, size)) < scaled(6)) under = Hold::line;
@@ -103,8 +85,8 @@ void ComparisonOverlay::show_wipe(Studio& studio, const PaneRect& picture, bool 
   else if (active != Hold::nothing)
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   const unsigned line_colour = active != Hold::nothing ? colour::accent : 0xb0ffffff;
-  list->PushClipRect(to_im(begin), to_im(begin + size), true);
-  const float far = size.x + size.y;
+  list->PushClipRect(to_im(seen.begin), to_im(seen.begin + seen.size), true);
+  const float far = seen.size.x + seen.size.y;
   list->AddLine(to_im(middle - wipe.along() * far), to_im(middle + wipe.along() * far), line_colour);
   for (const vec2& grip : {forward, backward}) {
     list->AddCircleFilled(to_im(grip), scaled(4), 0xff202020);
@@ -116,13 +98,12 @@ void ComparisonOverlay::show_wipe(Studio& studio, const PaneRect& picture, bool 
 }
 
 // In its own shape, within the place.
-void ComparisonOverlay::draw_whole(const PaneRect& place) const {
+void ComparisonOverlay::draw_whole(const PaneRect& place, const PaneRect& room) const {
   const DevelopedPtr& shown = texture_.shown();
   if (!shown) return;
-  const PaneRect picture = fitted(place, vec2(shown->width, shown->height));
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  list->AddRectFilled(to_im(place.begin), to_im(place.begin + place.size), 0xff0e0e0e);
-  list->AddImage(texture_id(texture_), to_im(picture.begin), to_im(picture.begin + picture.size));
+  const PaneRect picture = fitted(place, vec2(shown->width, shown->height)), part = common(place, room);
+  ImGui::GetWindowDrawList()->AddRectFilled(to_im(part.begin), to_im(part.begin + part.size), 0xff0e0e0e);
+  add_image(texture_.name(), picture, room);
 }
 
 std::vector<std::string> comparison_lines(const Studio& studio, const DevelopedPtr& shown) {
@@ -171,34 +152,36 @@ std::vector<std::string> comparison_lines(const Studio& studio, const DevelopedP
   return lines;
 }
 
-void ComparisonOverlay::show(Studio& studio, const PaneRect& pane, const PaneRect& picture,
-                             const PaneRect& other, const DevelopedPtr& shown, double pixel_ratio,
-                             bool hovered) {
+void ComparisonOverlay::show(Studio& studio, const PaneRect& pane, const PicturePlaces& places,
+                             const DevelopedPtr& shown, double pixel_ratio, bool free) {
   const Comparison& comparison = studio.comparison;
-  texture_.filter(picture.size * float(pixel_ratio));
+  texture_.filter(places.picture.size * float(pixel_ratio), places.shows_squares);
   const bool there = comparison.other && texture_.name() != 0;
   const CompareMode mode = there ? comparison.mode() : CompareMode::off;
   if (mode == CompareMode::wipe)
-    show_wipe(studio, picture, hovered);
+    show_wipe(studio, places, free);
   else
     hold_ = Hold::nothing;
   const bool others_turn = comparison.is_others_turn();
-  if (mode == CompareMode::side_by_side) draw_whole(other);
-  if (mode == CompareMode::flicker && others_turn) draw_whole(picture);
+  if (mode == CompareMode::side_by_side || (mode == CompareMode::flicker && others_turn))
+    draw_whole(places.other, places.other_room);
   const vec2 corner(scaled(10), scaled(8));
   const bool is_now = mode == CompareMode::flicker && !others_turn;
   const bool is_named =
       mode == CompareMode::wipe || mode == CompareMode::side_by_side || mode == CompareMode::flicker;
   const std::string label = !is_named ? "" : is_now ? "now" : comparison.name;
-  const vec2 label_at = (mode == CompareMode::side_by_side ? other.begin : picture.begin) + corner;
+  vec2 label_at = common(places.other, places.other_room).begin + corner;
+  const float badge = zoom_badge_width(studio), badge_end = pane.begin.x + corner.x + badge;
+  if (badge > 0.0f) label_at.x = std::max(label_at.x, badge_end);
   if (is_named) draw_text(label_at, is_now ? colour::faint_text : colour::text, label);
-  const float label_end = label_at.x + ImGui::CalcTextSize(label.c_str()).x + corner.x;
+  const float label_end = is_named ? label_at.x + ImGui::CalcTextSize(label.c_str()).x + corner.x : badge_end;
   const float row = ImGui::GetTextLineHeight() + scaled(3);
   vec2 at(pane.begin.x + pane.size.x - corner.x, pane.begin.y + corner.y);
   for (const std::string& line : comparison_lines(studio, shown)) {
     const float width = ImGui::CalcTextSize(line.c_str()).x;
-    // In a narrow pane the lines come below the label.
-    if (is_named && at.x - width < label_end && std::abs(at.y - label_at.y) < row) at.y = label_at.y + row;
+    // In a narrow pane the lines come below the label and the badge.
+    if ((is_named || badge > 0.0f) && at.x - width < label_end && std::abs(at.y - label_at.y) < row)
+      at.y = label_at.y + row;
     const vec2 text_at(std::max(pane.begin.x + corner.x, at.x - width), at.y);
     // Readable on the grey of a difference and across the picture's edge.
     constexpr unsigned veil = 0xa0000000;
@@ -209,6 +192,7 @@ void ComparisonOverlay::show(Studio& studio, const PaneRect& pane, const PaneRec
     draw_text(text_at, colour::text, line);
     at.y += row;
   }
+  bottom_ = at.y;
 }
 
 }  // namespace plinian::window

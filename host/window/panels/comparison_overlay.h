@@ -1,7 +1,7 @@
 // The other picture in the viewport, and how far the two are apart.
 #pragma once
 
-#include "host/window/panels/layout.h"
+#include "host/window/panels/picture_places.h"
 #include "host/window/studio.h"
 #include "host/window/view/picture_texture.h"
 
@@ -11,22 +11,24 @@ class ComparisonOverlay {
  public:
   /// Takes over what was developed, and asks for what is to be. shown: the picture that is compared, or null.
   void take_picture(Studio& studio, const DevelopedPtr& shown);
-  /// picture: [points] where it is; other: where the other one is, side by side;
-  /// hovered: the mouse is in the viewport, also while it is down.
-  void show(Studio& studio, const PaneRect& pane, const PaneRect& picture, const PaneRect& other,
-            const DevelopedPtr& shown, double pixel_ratio, bool hovered);
+  /// free: the mouse is in the viewport, also while it is down, and nobody else's.
+  void show(Studio& studio, const PaneRect& pane, const PicturePlaces& places, const DevelopedPtr& shown,
+            double pixel_ratio, bool free);
   /// Whether the mouse has hold of the line.
   bool is_held() const { return hold_ != Hold::nothing; }
+  /// Where its lines end that stand in the pane's upper right corner. [points]
+  float bottom() const { return bottom_; }
 
  private:
   enum class Hold { nothing, line, forward_grip, backward_grip };
-  void show_wipe(Studio& studio, const PaneRect& picture, bool hovered);
-  void draw_whole(const PaneRect& place) const;
+  void show_wipe(Studio& studio, const PicturePlaces& places, bool free);
+  void draw_whole(const PaneRect& place, const PaneRect& room) const;
 
   PictureTexture texture_;
   ViewPicturePtr asked_;
   std::string asked_how_;
   Hold hold_ = Hold::nothing;
+  float bottom_ = 0.0f;
   vec2 grabbed_{0.0f};  // [points] from the line's middle to the mouse
 };
 

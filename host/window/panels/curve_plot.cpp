@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "core/scene/tick_step.h"
 #include "host/window/panels/overlay_text.h"
@@ -27,19 +28,37 @@ struct Axes {
   }
 };
 
+std::string label_of(double value, double step) {
+  return fmt::format("{:g}", std::abs(value) < 1e-9 * step ? 0.0 : value);
+}
+
+// Of how many ticks one has a label, where that takes `room` and a tick `step`. [points]
+int labelled(float room, double step) {
+  return std::max(1, int(std::ceil(double(room) / step)));
+}
+
 void draw_axes(ImDrawList* list, const Axes& axes) {
   const Plot& plot = axes.plot;
-  const double x_step = tick_step(plot.x_high - plot.x_low), y_step = tick_step(plot.y_high);
-  for (double y = 0.0; y <= plot.y_high * 1.0001; y += y_step) {
-    const ImVec2 at = axes.place({plot.x_low, y});
+  const double range = plot.x_high - plot.x_low, x_step = tick_step(range), y_step = tick_step(plot.y_high);
+  const int each_y = labelled(ImGui::GetTextLineHeight(), y_step / plot.y_high * double(axes.size.y));
+  for (int i = 0; i * y_step <= plot.y_high * 1.0001; ++i) {
+    const ImVec2 at = axes.place({plot.x_low, i * y_step});
     list->AddLine(at, {at.x + axes.size.x, at.y}, grid_colour);
-    const std::string text = fmt::format("{:g}", y);
+    if (i % each_y != 0) continue;
+    const std::string text = label_of(i * y_step, y_step);
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     list->AddText({at.x - size.x - scaled(5), at.y - 0.5f * size.y}, faint_colour, text.c_str());
   }
-  for (double x = std::ceil(plot.x_low / x_step) * x_step; x <= plot.x_high; x += x_step) {
-    const ImVec2 at = axes.place({x, 0.0});
-    const std::string text = fmt::format("{:g}", std::abs(x) < 1e-9 * x_step ? 0.0 : x);
+  const auto first = std::int64_t(std::ceil(plot.x_low / x_step)),
+             last = std::int64_t(std::floor(plot.x_high / x_step));
+  float widest = 0.0f;
+  for (std::int64_t i = first; i <= last; ++i)
+    widest = std::max(widest, ImGui::CalcTextSize(label_of(double(i) * x_step, x_step).c_str()).x);
+  const int each_x = labelled(widest + scaled(6), x_step / range * double(axes.size.x));
+  for (std::int64_t i = first; i <= last; ++i) {
+    if (i % each_x != 0) continue;
+    const ImVec2 at = axes.place({double(i) * x_step, 0.0});
+    const std::string text = label_of(double(i) * x_step, x_step);
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     list->AddText({at.x - 0.5f * size.x, at.y + scaled(2)}, faint_colour, text.c_str());
   }

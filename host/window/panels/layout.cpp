@@ -54,8 +54,12 @@ Panes lay_out(const PaneSizes& sizes, vec2 room, float menu_height, float timeli
 }
 
 std::string text_of(const PaneSizes& sizes) {
-  return fmt::format("left {}\nright {}\nbottom {}\noutliner {}\nshows_nodes {}\n", sizes.left, sizes.right,
-                     sizes.bottom, sizes.outliner, int(sizes.shows_nodes));
+  std::string text = fmt::format("left {}\nright {}\nbottom {}\noutliner {}\nshows_nodes {}\n", sizes.left,
+                                 sizes.right, sizes.bottom, sizes.outliner, int(sizes.shows_nodes));
+  if (const auto& probe = sizes.probe)
+    text += fmt::format("probe_x {}\nprobe_y {}\nprobe_width {}\nprobe_height {}\n", probe->share.x,
+                        probe->share.y, probe->size.x, probe->size.y);
+  return text;
 }
 
 PaneSizes read_pane_sizes(const std::string& text) {
@@ -69,6 +73,11 @@ PaneSizes read_pane_sizes(const std::string& text) {
     if (name == "right") sizes.right = std::clamp(value, 200.0f, 1200.0f);
     if (name == "bottom") sizes.bottom = std::clamp(value, 40.0f, 900.0f);
     if (name == "shows_nodes") sizes.shows_nodes = value != 0.0f;
+    if (name.starts_with("probe_") && !sizes.probe) sizes.probe.emplace();
+    if (name == "probe_x") sizes.probe->share.x = std::clamp(value, 0.0f, 1.0f);
+    if (name == "probe_y") sizes.probe->share.y = std::clamp(value, 0.0f, 1.0f);
+    if (name == "probe_width") sizes.probe->size.x = std::clamp(value, 160.0f, 900.0f);
+    if (name == "probe_height") sizes.probe->size.y = std::clamp(value, 80.0f, 900.0f);
     if (name == "outliner") sizes.outliner = std::clamp(value, 0.15f, 0.85f);
   }
   return sizes;

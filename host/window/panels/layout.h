@@ -1,6 +1,7 @@
 // Where the panes are: a column on either side, a strip beneath, the picture in the middle.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/shared/glue.h"
@@ -11,12 +12,31 @@ struct PaneRect {
   vec2 begin{0.0f}, size{0.0f};  // [points]
 };
 
+inline bool holds(const PaneRect& rect, vec2 at) {
+  return at.x >= rect.begin.x && at.y >= rect.begin.y && at.x < rect.begin.x + rect.size.x &&
+         at.y < rect.begin.y + rect.size.y;
+}
+
+/// What two have in common; of no size where that is nothing.
+inline PaneRect common(const PaneRect& a, const PaneRect& b) {
+  const vec2 begin = glm::max(a.begin, b.begin), end = glm::min(a.begin + a.size, b.begin + b.size);
+  return {begin, glm::max(end - begin, vec2(0.0f))};
+}
+
+/// Where the probe's card was dragged to.
+struct ProbeSpot {
+  vec2 share{0.0f};  // [-] of what the window leaves beside the card
+  vec2 size{0.0f};   // [points] at a scale of 1: as large as it was
+  bool operator==(const ProbeSpot&) const = default;
+};
+
 /// How large the side panes are; what the window leaves, the picture has.
 struct PaneSizes {
   float left = 230.0f, right = 350.0f;  // [points] at a scale of 1
   float bottom = 170.0f;                // [points] at a scale of 1: beneath the picture, whatever it shows
   float outliner = 0.62f;               // [-] share of the left column
   bool shows_nodes = false;             // beneath the picture, in place of the console
+  std::optional<ProbeSpot> probe;       // none: where it hides least
 };
 
 struct Panes {

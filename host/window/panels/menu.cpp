@@ -198,6 +198,9 @@ void show_menu(Studio& studio) {
     item(studio, "Frame all", Action::frame_all);
     item(studio, "View before", Action::camera_back);
     item(studio, "View after", Action::camera_forth);
+    item(studio, "Zoom in", Action::zoom_in);
+    item(studio, "Zoom out", Action::zoom_out);
+    item(studio, "Whole picture", Action::zoom_whole, studio.viewpoint.zoom.is_on());
     item(studio, "Scene camera", Action::scene_camera, true, !studio.viewpoint.look.free);
     ImGui::Separator();
     item(studio, "Fast", Action::quality_fast, true, studio.workspace.view().quality == "fast");

@@ -108,7 +108,7 @@ void show_hotkey_list(Studio& studio) {
   ImGui::SetNextWindowSizeConstraints({scaled(430), 0.0f},
                                       {scaled(600), ImGui::GetMainViewport()->Size.y * 0.9f});
   if (ImGui::Begin("Hotkeys", &studio.show_hotkeys, plain | ImGuiWindowFlags_NoCollapse)) {
-    std::string group;
+    std::string group = "Mouse";
     const auto row = [](const char* keys, const char* what) {
       ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(colour::accent), "%s", keys);
       ImGui::SameLine(scaled(170));
@@ -118,7 +118,6 @@ void show_hotkey_list(Studio& studio) {
     row("Alt + left", "tumble (Ctrl+Alt where the desktop keeps Alt)");
     row("Alt + middle", "track");
     row("Alt + right, wheel", "dolly");
-    row("L + left", "turn the key light around the medium");
     row("drag a handle", "Ctrl in round steps, Shift slowly; Esc takes it back");
     row("drag a number", "Ctrl fine, Shift coarse; click to type, also *2, +=3");
     for (const Hotkey& hotkey : studio.hotkeys.all()) {
@@ -126,7 +125,7 @@ void show_hotkey_list(Studio& studio) {
         ImGui::Spacing();
         heading(group = hotkey.group);
       }
-      row(text_of(hotkey.chord).c_str(), hotkey.help.c_str());
+      row((text_of(hotkey.chord) + (hotkey.is_held ? " + mouse" : "")).c_str(), hotkey.help.c_str());
     }
     ImGui::Spacing();
     ImGui::TextDisabled("~/.config/plinian/hotkeys changes them: a line 'undo Ctrl+Z' for each.");

@@ -27,28 +27,46 @@ void key(unsigned colour, const char* text) {
   ImGui::PopStyleColor();
 }
 
+void draw_mark(vec2 at, float gap, const PaneRect& room) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->PushClipRect(to_im(room.begin), to_im(room.begin + room.size), true);
+  for (const auto& [colour, width] : {std::pair(0xa0000000u, 3.0f), std::pair(point_colour, 1.0f)})
+    for (const vec2 axis : {vec2(1, 0), vec2(0, 1)})
+      for (const float side : {-1.0f, 1.0f})
+        list->AddLine(to_im(at + axis * (side * gap)), to_im(at + axis * (side * (gap + scaled(7)))), colour,
+                      scaled(width));
+  list->PopClipRect();
+}
+
 }  // namespace
 
-void ProbePanel::choose(Studio& studio, const PaneRect& picture, bool hovered) {
+void ProbePanel::choose(Studio& studio, const PicturePlaces& places, const PaneRect& shown, bool free) {
   Inspector& inspector = studio.inspector;
   const ImGuiIO& io = ImGui::GetIO();
+  const vec2 mouse(io.MousePos.x, io.MousePos.y);
   if (!ImGui::IsMouseDown(0) || !inspector.on) held_ = false;
-  if (inspector.on && hovered && ImGui::IsMouseClicked(0) && !io.KeyAlt && !studio.light_key_held)
+  if (inspector.on && free && ImGui::IsMouseClicked(0) && !io.KeyAlt && !studio.light_key_held) {
     held_ = true;
+    way_ = places.way_to_picture(mouse);
+  }
   if (held_) {
-    const vec2 share = (vec2(io.MousePos.x, io.MousePos.y) - picture.begin) / picture.size;
+    const vec2 share = (mouse + way_ - shown.begin) / shown.size;
     inspector.place = glm::clamp(share, vec2(0.0f), vec2(1.0f));
     inspector.t.reset();
   }
   inspector.update(studio.renderer.picture());
+  shown_ = shown;
   if (!inspector.on || !inspector.place) return;
-  const vec2 at = picture.begin + *inspector.place * picture.size;
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  for (const auto& [colour, width] : {std::pair(0xa0000000u, 3.0f), std::pair(point_colour, 1.0f)})
-    for (const vec2 axis : {vec2(1, 0), vec2(0, 1)})
-      for (const float side : {-1.0f, 1.0f})
-        list->AddLine(to_im(at + axis * (side * scaled(4))), to_im(at + axis * (side * scaled(11))), colour,
-                      scaled(width));
+  const ViewPicturePtr picture = studio.picture();
+  if (!picture) return;
+  // Around the pixel, however large that is.
+  const vec2 pixels(picture->scene.width, picture->scene.height);
+  const vec2 middle = (glm::min(glm::floor(*inspector.place * pixels), pixels - 1.0f) + 0.5f) / pixels;
+  const float gap = std::max(scaled(4), 0.5f * shown.size.x / pixels.x + scaled(3));
+  draw_mark(shown.begin + middle * shown.size, gap, places.room);
+  if (places.other.begin != places.picture.begin)
+    draw_mark(shown.begin + places.other.begin - places.picture.begin + middle * shown.size, gap,
+              places.other_room);
 }
 
 void ProbePanel::show_view_ray(Studio& studio, const Inspection& inspection, vec2 size) {
@@ -100,20 +118,120 @@ void ProbePanel::show_light_ray(const Inspection& inspection, vec2 size) {
       "rebuilt from the map's coefficients. Dotted: the threshold at which light counts as dead.");
 }
 
-void ProbePanel::show(Studio& studio, const PaneRect& pane) {
+void ProbePanel::show_header(Studio& studio, const Inspection& found) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("pixel %d %d", found.question.pixel.x, found.question.pixel.y);
+  const float whole = ImGui::GetContentRegionAvail().x, mark = scaled(16);
+  if (studio.inspector.spot) {
+    ImGui::SameLine(whole - mark);
+    if (show_changed_dot(mark, "Dragged; click to have the card lie where it hides least.")) {
+      studio.inspector.spot.reset();
+      index_.reset();
+    }
+    note_item(studio.trace, "probe card reset");
+  }
+  if (!found.light) return;
+  ImGui::SameLine(scaled(130));
+  ImGui::SetNextItemWidth(std::min(scaled(140), whole - scaled(130) - mark));
+  if (ImGui::BeginCombo("##light", found.light->light.c_str())) {
+    for (const std::string& name : found.lights)
+      if (ImGui::Selectable(name.c_str(), name == found.light->light)) studio.inspector.light = name;
+    ImGui::EndCombo();
+  }
+}
+
+void ProbePanel::show_curves(Studio& studio, const Inspection& found) {
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const float text = ImGui::GetTextLineHeightWithSpacing(), gap = scaled(10);
+  const bool both = found.light.has_value(), aside = card_.wide && both;
+  const float width = aside ? (room.x - gap) * 0.5f : room.x;
+  const float plots = room.y - (both && !aside ? 2.0f : 1.0f) * text - scaled(aside ? 0 : 4);
+  ImGui::BeginGroup();
+  key(density_colour, "extinction [1/m]");
+  if (width > scaled(300)) {
+    ImGui::SameLine(0.0f, gap);
+    ImGui::TextDisabled("what gets through");
+  }
+  show_view_ray(studio, found, {width, (both && !aside ? 0.42f : 1.0f) * plots});
+  note_item(studio.trace, "probe ray");
+  ImGui::EndGroup();
+  if (!both) return;
+  if (aside) ImGui::SameLine(0.0f, gap);
+  ImGui::BeginGroup();
+  const double exact = mean(found.light->exact), map = mean(found.light->map);
+  key(exact_colour, fmt::format("exact {:.4f}", exact).c_str());
+  ImGui::SameLine(0.0f, gap);
+  key(map_colour, fmt::format("map {:.4f}", map).c_str());
+  if (width > scaled(220)) {
+    ImGui::SameLine(0.0f, gap);
+    ImGui::TextDisabled("%+.4f", map - exact);
+  }
+  show_light_ray(found, {width, (aside ? 1.0f : 0.58f) * plots});
+  ImGui::EndGroup();
+}
+
+// Where it hides least, unless it was dragged somewhere. Looked for anew with another pixel or pane alone, so
+// that it does not jump while a picture moves.
+void ProbePanel::settle_card(const Studio& studio, const PaneRect& room, const PaneRect& taken,
+                             const Frame* frame) {
+  const vec2 pixel = shown_.begin + studio.inspector.place.value_or(vec2(0.0f)) * shown_.size;
+  const std::vector<ProbeCard> cards = probe_cards(room, scaled(1));
+  const Asked asked{studio.inspector.place, room.begin, room.size, taken.begin, shown_.begin, shown_.size};
+  const float reach = scaled(26);  // of the mark, and a little of what is around it
+  if (index_ && *index_ < cards.size() && (asked == asked_ || held_) &&
+      leaves_free(cards[*index_].place, pixel, reach)) {
+    card_ = cards[*index_];
+    return;
+  }
+  asked_ = asked;
+  const auto smoke = [&](vec2 at) {
+    constexpr float as_dear = 5.0f;  // as smoke, where another panel is
+    if (holds(taken, at)) return as_dear;
+    const vec2 share = (at - shown_.begin) / shown_.size;
+    if (!frame || share.x < 0.0f || share.y < 0.0f || share.x >= 1.0f || share.y >= 1.0f) return 0.0f;
+    const ivec2 size(frame->width, frame->height), p = glm::min(ivec2(share * vec2(size)), size - 1);
+    const vec3 t = frame->transmittance[std::size_t(p.y) * std::size_t(size.x) + std::size_t(p.x)];
+    return 1.0f - (t.x + t.y + t.z) / 3.0f;
+  };
+  index_ = least_hiding(cards, pixel, reach, smoke, index_ && *index_ < cards.size() ? index_ : std::nullopt);
+  card_ = cards[*index_];
+}
+
+// By what of it is nothing else. Kept in shares of the window's room, so that it stays at an edge.
+void ProbePanel::drag_card(Studio& studio) {
+  std::optional<ProbeSpot>& spot = studio.inspector.spot;
+  const ImGuiIO& io = ImGui::GetIO();
+  const vec2 mouse(io.MousePos.x, io.MousePos.y);
+  const bool free = ImGui::IsWindowHovered() && !ImGui::IsAnyItemHovered();
+  const ImVec2 begin = ImGui::GetWindowPos();
+  if (free && ImGui::IsMouseClicked(0)) grabbed_ = mouse - vec2(begin.x, begin.y);
+  if (!ImGui::IsMouseDown(0)) grabbed_.reset();
+  if (free || grabbed_) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+  if (!grabbed_ || (!spot && io.MouseDelta.x == 0.0f && io.MouseDelta.y == 0.0f)) return;
+  const ImVec2 window = ImGui::GetMainViewport()->Size;
+  const vec2 room = glm::max(vec2(window.x, window.y) - card_.place.size, vec2(1.0f));
+  spot = {glm::clamp((mouse - *grabbed_) / room, vec2(0.0f), vec2(1.0f)), card_.place.size / scaled(1)};
+}
+
+void ProbePanel::show(Studio& studio, const PaneRect& room, const PaneRect& taken, const Frame* frame) {
   Inspector& inspector = studio.inspector;
   if (!inspector.on) return;
   const InspectionPtr found = inspector.place ? inspector.inspection() : nullptr;
-  const float line = ImGui::GetFrameHeight();
-  const vec2 margin(scaled(10), scaled(34));
-  const vec2 size =
-      glm::min(vec2(scaled(340), found ? scaled(312) : line + scaled(14)), pane.size - 2.0f * margin);
-  if (size.x < scaled(160) || size.y < line) return;
-  // On the side where the pixel is not.
-  const bool at_right = found && inspector.place->x < 0.5f;
-  const PaneRect card{{at_right ? pane.begin.x + pane.size.x - size.x - margin.x : pane.begin.x + margin.x,
-                       pane.begin.y + pane.size.y - margin.y - size.y},
-                      size};
+  const bool has_curves = found && found->error.empty() && !found->view.samples.empty();
+  if (room.size.x < scaled(160) || room.size.y < scaled(80)) return;
+  settle_card(studio, room, taken, frame);
+  if (const auto& spot = inspector.spot) {
+    const ImVec2 window = ImGui::GetMainViewport()->Size;
+    card_.place.size = glm::min(spot->size * scaled(1), vec2(window.x, window.y));
+    card_.wide = card_.place.size.x > 1.5f * card_.place.size.y;
+    card_.place.begin = spot->share * (vec2(window.x, window.y) - card_.place.size);
+  }
+  PaneRect card = card_.place;
+  if (!has_curves) {  // a line of text
+    card.size.y = std::min(card.size.y, ImGui::GetFrameHeight() + scaled(14));
+    if (!inspector.spot && card_.place.begin.y > room.begin.y)
+      card.begin.y += card_.place.size.y - card.size.y;
+  }
   ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(0.1f, 0.1f, 0.105f, 0.93f));
   ImGui::SetNextWindowPos(to_im(card.begin));
   ImGui::SetNextWindowSize(to_im(card.size));
@@ -124,44 +242,19 @@ void ProbePanel::show(Studio& studio, const PaneRect& pane) {
   studio.trace.item("probe", card.begin, card.size);
   if (!found) {
     ImGui::TextDisabled("Click in the picture to probe a pixel.");
-  } else if (!found->error.empty() || found->view.samples.empty()) {
+  } else if (!has_curves) {
     ImGui::TextWrapped("%s",
                        found->error.empty() ? "The pixel's ray meets no medium." : found->error.c_str());
   } else {
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("pixel %d %d", found->question.pixel.x, found->question.pixel.y);
-    if (found->light) {
-      ImGui::SameLine(scaled(130));
-      ImGui::SetNextItemWidth(scaled(140));
-      if (ImGui::BeginCombo("##light", found->light->light.c_str())) {
-        for (const std::string& name : found->lights)
-          if (ImGui::Selectable(name.c_str(), name == found->light->light)) inspector.light = name;
-        ImGui::EndCombo();
-      }
-    }
-    const float room = ImGui::GetContentRegionAvail().x, text = ImGui::GetTextLineHeightWithSpacing();
-    const float plots = size.y - line - (found->light ? 2.0f : 1.0f) * text - scaled(34);
-    key(density_colour, "extinction [1/m]");
-    ImGui::SameLine(scaled(130));
-    ImGui::TextDisabled("what gets through to the camera");
-    show_view_ray(studio, *found, {room, (found->light ? 0.42f : 1.0f) * plots});
-    studio.trace.item("probe ray", vec2(ImGui::GetItemRectMin().x, ImGui::GetItemRectMin().y),
-                      vec2(ImGui::GetItemRectSize().x, ImGui::GetItemRectSize().y));
-    if (found->light) {
-      const double exact = mean(found->light->exact), map = mean(found->light->map);
-      key(exact_colour, fmt::format("exact {:.4f}", exact).c_str());
-      ImGui::SameLine(scaled(130));
-      key(map_colour, fmt::format("map {:.4f}", map).c_str());
-      ImGui::SameLine(scaled(230));
-      ImGui::TextDisabled("%+.4f", map - exact);
-      show_light_ray(*found, {room, 0.58f * plots});
-      if (found != told_)
-        studio.trace.note(fmt::format("probe {} {} at {:.6g} {} exact {:.5f} map {:.5f}",
-                                      found->question.pixel.x, found->question.pixel.y, found->t,
-                                      found->light->light, exact, map));
-      told_ = found;
-    }
+    show_header(studio, *found);
+    show_curves(studio, *found);
+    if (found->light && found != told_)
+      studio.trace.note(fmt::format("probe {} {} at {:.6g} {} exact {:.5f} map {:.5f}",
+                                    found->question.pixel.x, found->question.pixel.y, found->t,
+                                    found->light->light, mean(found->light->exact), mean(found->light->map)));
+    told_ = found;
   }
+  drag_card(studio);
   ImGui::End();
 }
 

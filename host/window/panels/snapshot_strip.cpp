@@ -31,6 +31,7 @@ void SnapshotStrip::show(Studio& studio, const PaneRect& pane) {
   const auto& all = studio.snapshots.all();
   std::erase_if(textures_, [&](const auto& entry) { return !studio.snapshots.find(entry.first); });
   const float strip = snapshot_strip_height(studio);
+  place_ = {};
   if (strip == 0.0f) return;
   const float height = scaled(height_of_pictures), label = ImGui::GetTextLineHeight();
   // Over the line that reads out the pixel.
@@ -47,8 +48,9 @@ void SnapshotStrip::show(Studio& studio, const PaneRect& pane) {
                         label_width(snapshot)) +
                scaled(10);
   width = std::min(pane.size.x - scaled(16), std::max(width, scaled(60)));
-  ImGui::SetNextWindowPos({pane.begin.x + pane.size.x - scaled(8) - width, bottom - strip});
-  ImGui::SetNextWindowSize({width, strip});
+  place_ = {{pane.begin.x + pane.size.x - scaled(8) - width, bottom - strip}, {width, strip}};
+  ImGui::SetNextWindowPos(to_im(place_.begin));
+  ImGui::SetNextWindowSize(to_im(place_.size));
   ImGui::Begin("##snapshots", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoFocusOnAppearing);

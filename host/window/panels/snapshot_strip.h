@@ -18,8 +18,11 @@ class SnapshotStrip {
  public:
   /// pane: of the viewport. A click compares with a snapshot, a menu offers the rest.
   void show(Studio& studio, const PaneRect& pane);
+  /// Where it was shown last; of no size where it was not. [points]
+  const PaneRect& place() const { return place_; }
 
  private:
+  PaneRect place_;
   std::map<std::string, std::unique_ptr<PictureTexture>> textures_;  // by name
 };
 

@@ -55,7 +55,8 @@ void show_status(Studio& studio, const PaneRect& pane) {
   } else {
     ImGui::TextDisabled(
         "Alt+mouse (or Ctrl+Alt): left tumbles, middle tracks, right or wheel dollies    W E R move, turn, "
-        "scale   F frame   A all   1 fast   2 high   L+drag turns the key light   F1 hotkeys");
+        "scale   F frame   A all   Z+wheel magnifies   1 fast   2 high   L+drag turns the key light   F1 "
+        "hotkeys");
   }
   ImGui::PopClipRect();
   end_pane();

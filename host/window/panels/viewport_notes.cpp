@@ -9,6 +9,7 @@
 #include "core/image/heat_map.h"
 #include "host/window/panels/overlay_text.h"
 #include "host/window/panels/snapshot_strip.h"
+#include "host/window/panels/zoom_hand.h"
 #include "host/window/platform/theme.h"
 
 namespace plinian::window {
@@ -17,7 +18,7 @@ namespace plinian::window {
 void show_notes(Studio& studio, const PaneRect& pane, const DevelopedPtr& shown) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float line = ImGui::GetTextLineHeight() + scaled(3);
-  vec2 at = pane.begin + vec2(scaled(10), scaled(8));
+  vec2 at = pane.begin + vec2(scaled(10) + zoom_badge_width(studio), scaled(8));
   const std::vector<std::string>& problems = studio.feed.problems();
   const std::string render_error = studio.renderer.status().error;
   for (const std::string& problem : problems) {
@@ -103,29 +104,6 @@ void show_map_error(const Studio& studio, const DevelopedPtr& shown, const PaneR
   draw_text({pane.begin.x + pane.size.x - ImGui::CalcTextSize(figures.c_str()).x - scaled(10),
              corner.y - 2.0f * line},
             colour::text, figures);
-}
-
-void show_pixel(const DevelopedPtr& shown, const PaneRect& picture, const PaneRect& pane) {
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const vec2 share = (vec2(mouse.x, mouse.y) - picture.begin) / picture.size;
-  if (!shown || share.x < 0.0f || share.y < 0.0f || share.x >= 1.0f || share.y >= 1.0f) return;
-  const Frame& frame = shown->picture->frame;
-  const int x = std::clamp(int(share.x * frame.width), 0, frame.width - 1);
-  const int y = std::clamp(int(share.y * frame.height), 0, frame.height - 1);
-  const std::size_t pixel = std::size_t(y) * frame.width + x;
-  const vec3 c = frame.beauty[pixel], t = frame.transmittance[pixel];
-  const float depth = frame.depth[pixel];
-  const std::string value = shown->map_error ? fmt::format("|dT| {:.4f}", shown->map_error->pixels[pixel])
-                                             : fmt::format("{:.4f} {:.4f} {:.4f}", c.x, c.y, c.z);
-  // A quick picture has fewer pixels: the place is told in those of the one at rest.
-  const ivec2 at(share * vec2(shown->picture->scene.width, shown->picture->scene.height));
-  const std::string text =
-      fmt::format("{:4} {:4}   {}   a {:.3f}{}", at.x, at.y, value, 1.0f - (t.x + t.y + t.z) / 3.0f,
-                  std::isfinite(depth) ? fmt::format("   z {:.4g} m", depth) : "");
-  ImGui::PushFont(fonts().fixed);
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  draw_text(pane.begin + vec2(scaled(10), pane.size.y - size.y - scaled(8)), colour::text, text);
-  ImGui::PopFont();
 }
 
 }  // namespace plinian::window

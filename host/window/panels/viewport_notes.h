@@ -12,9 +12,6 @@ void show_notes(Studio& studio, const PaneRect& pane, const DevelopedPtr& shown)
 /// What the picture that is up cost.
 void show_figures(Studio& studio, const PaneRect& pane);
 
-/// What the picture holds under the pointer, in linear radiance. picture: [points] where it is.
-void show_pixel(const DevelopedPtr& shown, const PaneRect& picture, const PaneRect& pane);
-
 /// Figures and colours of the error of maps, where that is what is seen.
 void show_map_error(const Studio& studio, const DevelopedPtr& shown, const PaneRect& pane);
 

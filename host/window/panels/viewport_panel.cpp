@@ -9,6 +9,7 @@
 
 #include "host/window/panels/fitted.h"
 #include "host/window/panels/overlay_text.h"
+#include "host/window/panels/picture_image.h"
 #include "host/window/panels/viewport_notes.h"
 #include "host/window/platform/theme.h"
 
@@ -26,8 +27,8 @@ std::optional<ivec2> measured_gate(const Studio& studio) {
 
 }  // namespace
 
-// Through a camera of the scene one sees what it takes in, no more; one's own fills the pane.
-void ViewportPanel::settle_size(Studio& studio, const PaneRect& pane, double pixel_ratio) {
+// Through a camera of the scene one sees what it takes in, no more; one's own fills the pane. [points]
+vec2 ViewportPanel::settle_size(Studio& studio, const PaneRect& pane, double pixel_ratio) const {
   vec2 size = pane.size;
   if (!studio.viewpoint.look.free && studio.feed.snapshot()) {
     const SceneSnapshot& scene = studio.feed.snapshot()->snapshot;
@@ -40,15 +41,9 @@ void ViewportPanel::settle_size(Studio& studio, const PaneRect& pane, double pix
   ivec2 pixels(std::max(16, int(std::lround(size.x * pixel_ratio))),
                std::max(16, int(std::lround(size.y * pixel_ratio))));
   size = vec2(pixels) / float(pixel_ratio);
-  picture_ = {pane.begin + glm::floor((pane.size - size) * 0.5f), size};
   if (const auto gate = measured_gate(studio)) pixels = *gate;
   studio.picture_size = pixels;
-  if (studio.comparison.mode() != CompareMode::side_by_side) return;
-  const float gap = scaled(4), half = (pane.size.x - gap) * 0.5f;
-  size *= std::min(1.0f, half / size.x);
-  const float top = std::floor(pane.begin.y + (pane.size.y - size.y) * 0.5f);
-  picture_ = {{std::floor(pane.begin.x + (half - size.x) * 0.5f), top}, size};
-  other_ = {picture_.begin + vec2(std::ceil(half + gap), 0.0f), size};
+  return size;
 }
 
 void ViewportPanel::take_picture(Studio& studio) {
@@ -93,22 +88,23 @@ void fill_around(const PaneRect& pane, const PaneRect& picture) {
 
 }  // namespace
 
-// With what plug-ins draw over it, where they do.
-void ViewportPanel::show_image(Drawings& drawings, vec2 begin, vec2 size, float pixel_ratio) {
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  const auto add = [&](unsigned texture, ImVec2 first, ImVec2 last) {
-    list->AddImage(ImTextureID(std::intptr_t(texture)), to_im(begin), to_im(begin + size), first, last);
-  };
-  if (Canvas* canvas = drawings.over(texture_.shown(), size.x)) {
-    canvas->filter(size * pixel_ratio);
-    return add(canvas->texture(), {0.0f, 1.0f}, {1.0f, 0.0f});
+// With what plug-ins draw over it, where they do. That is magnified with it: it is of the same pixels.
+void ViewportPanel::show_image(Drawings& drawings, const PicturePlaces& places, const PaneRect& shown,
+                               float pixel_ratio) {
+  if (Canvas* canvas = drawings.over(texture_.shown(), fitted(places.whole, shown.size).size.x)) {
+    canvas->filter(shown.size * pixel_ratio, places.shows_squares);
+    return add_image(canvas->texture(), shown, places.room, true);
   }
-  texture_.filter(size * pixel_ratio);
-  add(texture_.name(), {0.0f, 0.0f}, {1.0f, 1.0f});
+  texture_.filter(shown.size * pixel_ratio, places.shows_squares);
+  add_image(texture_.name(), shown, places.room);
 }
 
 void ViewportPanel::show(Studio& studio, Drawings& drawings, const PaneRect& pane, double pixel_ratio) {
-  settle_size(studio, pane, pixel_ratio);
+  const vec2 size = settle_size(studio, pane, pixel_ratio);
+  const auto place = [&] {
+    return picture_places(pane, size, studio.comparison.mode() == CompareMode::side_by_side, scaled(4),
+                          studio.viewpoint.zoom, float(pixel_ratio));
+  };
   take_picture(studio);
   ImGui::SetNextWindowPos(to_im(pane.begin));
   ImGui::SetNextWindowSize(to_im(pane.size));
@@ -118,38 +114,55 @@ void ViewportPanel::show(Studio& studio, Drawings& drawings, const PaneRect& pan
                    ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoBringToFrontOnFocus |
                    ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
-  PaneRect shown = picture_;  // where the picture lies
-  if (texture_.name() != 0) {
-    // A picture of another shape than the pane's keeps its own until the next one is there.
-    const SceneSnapshot& scene = texture_.shown()->picture->scene;
-    shown = fitted(picture_, vec2(scene.width, scene.height));
-    fill_around(pane, shown);
-    show_image(drawings, shown.begin, shown.size, float(pixel_ratio));
-  } else {
-    fill_around(pane, {pane.begin, vec2(0.0f)});
-  }
   ImGui::SetCursorScreenPos(to_im(pane.begin));
   ImGui::InvisibleButton("##hand", to_im(pane.size),
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
                              ImGuiButtonFlags_MouseButtonRight);
   const bool hovered = ImGui::IsItemHovered();
-  studio.trace.item("picture", picture_.begin, picture_.size);
-  comparison_.show(studio, pane, picture_, other_, texture_.shown(), pixel_ratio, hovered);
+  zoom_.move(studio, place(), hovered);
+  const PicturePlaces places = place();
+  PaneRect above = pane;  // the lines that read out the pixel
+  above.size.y -= PixelLines::more_height(studio);
+  PaneRect shown = places.picture;  // where the picture lies
+  if (texture_.name() != 0) {
+    // A picture of another shape than the pane's keeps its own until the next one is there.
+    const SceneSnapshot& scene = texture_.shown()->picture->scene;
+    shown = fitted(places.picture, vec2(scene.width, scene.height));
+    fill_around(pane, common(shown, places.room));
+    show_image(drawings, places, shown, float(pixel_ratio));
+  } else {
+    fill_around(pane, {pane.begin, vec2(0.0f)});
+  }
+  studio.trace.item("picture", places.picture.begin, places.picture.size);
+  studio.trace.item("other picture", places.other.begin, places.other.size);
+  const bool free_before = hovered && !zoom_.is_taken(studio);
+  comparison_.show(studio, pane, places, texture_.shown(), pixel_ratio, free_before);
+  const bool free = free_before && !comparison_.is_held();
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->PushClipRect(to_im(places.room.begin), to_im(places.room.begin + places.room.size), true);
   if (texture_.name() != 0) {
     const ViewPicture& picture = *texture_.shown()->picture;
-    overlay_.show(studio, picture, shown.begin, shown.size);
-    handles_.show(studio, picture, shown.begin, shown.size, hovered && !comparison_.is_held());
-    overlay_.select(studio, drawings, picture, shown.begin, shown.size,
-                    hovered && !comparison_.is_held() && !handles_.is_taken());
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool over = free && holds(places.room, vec2(io.MousePos.x, io.MousePos.y));
+    overlay_.show(studio, picture, shown, common(shown, places.room), above.begin.y + above.size.y);
+    handles_.show(studio, picture, shown.begin, shown.size, over);
+    overlay_.select(studio, drawings, picture, shown, over && !handles_.is_taken());
   }
-  probe_.choose(studio, picture_, hovered && !comparison_.is_held());
-  hand_.move(studio, picture_, hovered && !comparison_.is_held());
+  list->PopClipRect();
+  probe_.choose(studio, places, shown, free);
+  hand_.move(studio, places.picture, free);
   show_notes(studio, pane, texture_.shown());
   show_map_error(studio, texture_.shown(), pane);
-  if (hovered) show_pixel(texture_.shown(), picture_, pane);
+  pixel_.show(studio, texture_.shown(), places, shown, pane, hovered);
   ImGui::End();
-  probe_.show(studio, pane);
-  snapshots_.show(studio, pane);
+  show_zoom_badge(studio, pane);
+  snapshots_.show(studio, above);
+  // Between what is written along the edges.
+  const float top = std::max(pane.begin.y + scaled(34), comparison_.bottom() + scaled(6));
+  const vec2 corner(pane.begin.x + scaled(10), top);
+  const vec2 end = above.begin + above.size - vec2(scaled(10), scaled(34));
+  probe_.show(studio, {corner, end - corner}, snapshots_.place(),
+              texture_.shown() ? &texture_.shown()->picture->frame : nullptr);
   looks_.show(studio, pane);
 }
 

@@ -7,9 +7,12 @@
 #include "host/window/panels/comparison_overlay.h"
 #include "host/window/panels/layout.h"
 #include "host/window/panels/look_gallery.h"
+#include "host/window/panels/picture_places.h"
+#include "host/window/panels/pixel_lines.h"
 #include "host/window/panels/probe_panel.h"
 #include "host/window/panels/snapshot_strip.h"
 #include "host/window/panels/viewport_hand.h"
+#include "host/window/panels/zoom_hand.h"
 #include "host/window/studio.h"
 #include "host/window/view/picture_texture.h"
 
@@ -20,9 +23,9 @@ class ViewportPanel {
   void show(Studio& studio, Drawings& drawings, const PaneRect& pane, double pixel_ratio);
 
  private:
-  void settle_size(Studio& studio, const PaneRect& pane, double pixel_ratio);
+  vec2 settle_size(Studio& studio, const PaneRect& pane, double pixel_ratio) const;
   void take_picture(Studio& studio);
-  void show_image(Drawings& drawings, vec2 begin, vec2 size, float pixel_ratio);
+  void show_image(Drawings& drawings, const PicturePlaces& places, const PaneRect& shown, float pixel_ratio);
 
   PictureTexture texture_;
   ComparisonOverlay comparison_;
@@ -32,9 +35,10 @@ class ViewportPanel {
   Overlay overlay_;
   ViewportHandles handles_;
   ProbePanel probe_;
+  ZoomHand zoom_;
+  PixelLines pixel_;
   ViewPicturePtr asked_picture_;
   std::string asked_development_;
-  PaneRect picture_, other_;  // [points] where it is in the window, and the one that it is compared with
 };
 
 }  // namespace plinian::window

@@ -256,6 +256,15 @@ void help(const std::string& text) {
   ImGui::EndTooltip();
 }
 
+bool show_changed_dot(float width, const std::string& what) {
+  const bool clicked = ImGui::InvisibleButton("reset", {width, ImGui::GetFrameHeight()});
+  const ImVec2 begin = ImGui::GetItemRectMin();
+  ImGui::GetWindowDrawList()->AddCircleFilled({begin.x + width / 2, begin.y + ImGui::GetFrameHeight() / 2},
+                                              scaled(ImGui::IsItemHovered() ? 5 : 3), colour::changed, 12);
+  help(what);
+  return clicked;
+}
+
 vec3 display_colour(const vec3& linear) {
   vec3 colour;
   for (int i = 0; i < 3; ++i) colour[i] = shared::srgb_from_linear(std::clamp(linear[i], 0.0f, 1.0f));

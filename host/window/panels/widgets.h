@@ -61,6 +61,10 @@ void note_item(Trace& trace, const std::string& name);
 /// Help on what is under the pointer, after a moment.
 void help(const std::string& text);
 
+/// The amber dot of what is not at its default, at the cursor and a row high; whether it is clicked, which is
+/// to put that back. width: [points]
+bool show_changed_dot(float width, const std::string& what);
+
 /// The colour of a display for a linear one, brought into range.
 vec3 display_colour(const vec3& linear);
 

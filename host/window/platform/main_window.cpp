@@ -291,9 +291,14 @@ std::vector<Chord> MainWindow::take_keys() {
   return std::exchange(events_->keys, {});
 }
 
-bool MainWindow::is_held(char letter) const {
-  // The letters of GLFW's keys are those of ASCII.
-  return !ImGui::GetIO().WantTextInput && ImGui::GetIO().KeysDown[int(letter)];
+bool MainWindow::is_held(const Chord& chord) const {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.WantTextInput || chord.key.empty() || io.KeyCtrl != chord.ctrl || io.KeyAlt != chord.alt ||
+      (chord.shift && !io.KeyShift))
+    return false;
+  for (int key = GLFW_KEY_SPACE; key <= GLFW_KEY_LAST; ++key)
+    if (io.KeysDown[key] && key_name(key, glfwGetKeyScancode(key)) == chord.key) return true;
+  return false;
 }
 
 ivec2 MainWindow::size() const {

@@ -50,8 +50,9 @@ class MainWindow {
   /// Keys that were told of as pressed since the last call, in order.
   std::vector<Chord> take_keys();
 
-  /// Whether a letter's key is held down and not being typed into a field.
-  bool is_held(char letter) const;
+  /// Whether a key is held down, and nothing beside it but what belongs to it or Shift, and not being typed
+  /// into a field.
+  bool is_held(const Chord& chord) const;
 
   ivec2 size() const;                                // [points]
   double pixel_ratio() const;                        // pixels per point, of what is drawn

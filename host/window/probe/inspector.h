@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/integrate/ray_probe.h"
+#include "host/window/panels/layout.h"
 #include "host/window/platform/newest_worker.h"
 #include "host/window/view/view_renderer.h"
 
@@ -35,10 +36,11 @@ class Inspector {
   /// wake: as ViewRenderer's.
   explicit Inspector(std::function<void()> wake);
 
-  bool on = false;            // the panel is open, and the mouse chooses a pixel
-  std::optional<vec2> place;  // [-] of the picture, from its upper left corner
-  std::optional<double> t;    // [world] that was chosen on the ray
-  std::string light;          // that was chosen
+  bool on = false;                // the panel is open, and the mouse chooses a pixel
+  std::optional<vec2> place;      // [-] of the picture, from its upper left corner
+  std::optional<double> t;        // [world] that was chosen on the ray
+  std::string light;              // that was chosen
+  std::optional<ProbeSpot> spot;  // where the card was dragged to; none: it lies where it hides least
 
   /// Asks for what is chosen in the picture, where that is another question than the last. To be called once
   /// a turn.

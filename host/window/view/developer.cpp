@@ -23,13 +23,29 @@ float alpha_of(vec3 transmittance) {
   return 1.0f - (transmittance.x + transmittance.y + transmittance.z) / 3.0f;
 }
 
+bool sees_lights_alone(const Development& how) {
+  return !how.solo.empty() || how.solo_ambient;
+}
+
+// The layers whose sum is the light that is seen.
+std::vector<const std::vector<vec3>*> layers_of_light(const Frame& frame, const Development& how) {
+  if (!sees_lights_alone(how)) {
+    if (how.layer == "ambient") return {&frame.ambient};
+    return {how.layer == "emission" ? &frame.emission : &frame.beauty};
+  }
+  std::vector<const std::vector<vec3>*> layers;
+  if (how.solo_ambient) layers.push_back(&frame.ambient);
+  for (const LightLayer& light : frame.lights)
+    if (how.solo.contains(light.name)) layers.push_back(&light.radiance);
+  return layers;
+}
+
 std::vector<vec3> layer_of(const Frame& frame, const Development& how) {
   const std::size_t pixels = frame.beauty.size();
-  if (!how.solo.empty() || how.solo_ambient) {
+  const auto layers = layers_of_light(frame, how);
+  if (sees_lights_alone(how)) {
     std::vector<vec3> sum(pixels, vec3(0.0f));
-    if (how.solo_ambient) add(sum, frame.ambient);
-    for (const LightLayer& light : frame.lights)
-      if (how.solo.contains(light.name)) add(sum, light.radiance);
+    for (const std::vector<vec3>* layer : layers) add(sum, *layer);
     return sum;
   }
   if (how.layer == "alpha") {
@@ -51,9 +67,7 @@ std::vector<vec3> layer_of(const Frame& frame, const Development& how) {
         depth[i] = vec3(1.0f - 0.9f * (frame.depth[i] - nearest) / std::max(farthest - nearest, 1e-6f));
     return depth;
   }
-  if (how.layer == "ambient") return frame.ambient;
-  if (how.layer == "emission") return frame.emission;
-  return frame.beauty;
+  return *layers.front();
 }
 
 // By how much brighter or darker each channel is [radiance], four times, around a middle grey: what is grey
@@ -114,7 +128,7 @@ void put_behind(Image& image, const Frame& frame, const Frame& plate) {
 }
 
 bool sees_beauty(const Development& how) {
-  return how.solo.empty() && !how.solo_ambient && how.layer.empty();
+  return !sees_lights_alone(how) && how.layer.empty();
 }
 
 // A picture from a file, as it is measured.
@@ -140,19 +154,6 @@ std::optional<vec3> balance_of(const PicturePair& pair, const Frame& frame, cons
     }
   if (!(reference.x > 0.0 && reference.y > 0.0 && reference.z > 0.0)) return std::nullopt;
   return vec3(sum / reference);
-}
-
-// The layer that is seen, where a picture from a file does not have it; else empty.
-std::string lacking_layer(const Development& how) {
-  if (!how.against_file) return "";
-  const ReadPicture& file = how.against_file->picture;
-  for (const std::string& light : how.solo)
-    if (std::ranges::find(file.frame.lights, light, &LightLayer::name) == file.frame.lights.end())
-      return light;
-  if (!file.has_ambient && (how.solo_ambient || how.layer == "ambient")) return "ambient";
-  if (!file.has_emission && how.layer == "emission") return "emission";
-  if (!file.has_alpha && how.layer == "alpha") return "alpha";
-  return how.layer == "depth" ? "depth" : "";
 }
 
 void measure(Developed& developed, const Image& image, const ViewPicture& picture, const Development& how) {
@@ -203,6 +204,25 @@ void develop_map_error(Developed& developed, const Frame& frame, const Developme
 
 }  // namespace
 
+std::string lacking_layer(const Development& how) {
+  if (!how.against_file) return "";
+  const ReadPicture& file = how.against_file->picture;
+  for (const std::string& light : how.solo)
+    if (std::ranges::find(file.frame.lights, light, &LightLayer::name) == file.frame.lights.end())
+      return light;
+  if (!file.has_ambient && (how.solo_ambient || how.layer == "ambient")) return "ambient";
+  if (!file.has_emission && how.layer == "emission") return "emission";
+  if (!file.has_alpha && how.layer == "alpha") return "alpha";
+  return how.layer == "depth" ? "depth" : "";
+}
+
+vec3 visible_radiance(const Frame& frame, const Development& how, std::size_t pixel) {
+  vec3 sum(0.0f);
+  for (const std::vector<vec3>* layer : layers_of_light(frame, how))
+    if (layer->size() == frame.beauty.size()) sum += (*layer)[pixel];
+  return sum;
+}
+
 std::string words_of(const Development& how) {
   std::string words =
       fmt::format("{} {} {} {} {} {} {} {}", how.solo_ambient, int(how.view.view), how.view.exposure,
@@ -251,10 +271,12 @@ DevelopedPtr develop(const ViewPicturePtr& picture, const Development& how, cons
     measure(*developed, image, *picture, how);
   // While a hand is on, a rough difference still says which way to go.
   const SceneSnapshot& scene = picture->scene;
-  if (how.against && picture->quick && how.seen == Seen::difference && lacking_layer(how).empty() &&
+  if (how.against && picture->quick && lacking_layer(how).empty() &&
       how.against->frame.width == scene.width && how.against->frame.height == scene.height) {
-    const Image other = visible_layers((matched ? matched : how.against)->frame, how);
-    developed->bytes = difference_bytes(image, shrunk(other, developed->width, developed->height));
+    developed->other = matched ? matched : how.against;
+    if (how.seen == Seen::difference)
+      developed->bytes = difference_bytes(
+          image, shrunk(visible_layers(developed->other->frame, how), developed->width, developed->height));
   }
   return developed;
 }
@@ -305,7 +327,7 @@ void Developer::run() {
     }
     DevelopedPtr developed = develop(picture, how, how.against == matched_from ? matched : nullptr);
     if (!developed) continue;
-    if (developed->other || !how.against) {
+    if ((developed->other && !picture->quick) || !how.against) {
       matched = developed->other;
       matched_from = how.against;
     }

@@ -58,16 +58,22 @@ struct Developed {
   std::optional<vec3> balance;      // [-] how bright each channel is, as a share of the other picture's as it
                                     // came, not as it was matched
   std::optional<MapError> map_error;  // likewise
-  ViewPicturePtr other;               // that it was measured against, as it was matched; null: it was not
-  std::string matched;                // what was done to the other for that; empty: nothing
-  std::string lacks;                  // the layer that is seen and that the other does not have: not measured
-  std::string error;                  // why the view could not be used; then it is sRGB
+  ViewPicturePtr other;  // that it was measured against, as it was matched, or a quick one is held
+                         // against; null: it cannot be
+  std::string matched;   // what was done to the other for that; empty: nothing
+  std::string lacks;     // the layer that is seen and that the other does not have: not measured
+  std::string error;     // why the view could not be used; then it is sRGB
 };
 using DevelopedPtr = std::shared_ptr<const Developed>;
 
 /// What one sees of a frame, as a picture with R, G and B, without a plate. [radiance, or a share for alpha
 /// and depth]
 Image visible_layers(const Frame& frame, const Development& how);
+
+/// What of that is light in a pixel: alpha and depth are seen as shares. [radiance]
+vec3 visible_radiance(const Frame& frame, const Development& how, std::size_t pixel);
+/// The layer that is seen and that the picture from a file it is held against does not have; else empty.
+std::string lacking_layer(const Development& how);
 
 /// The picture, looked at so; null where it is light and an error is asked for, or the other way round.
 /// matched: the other picture as it was matched last, against which a quick one is held; null: as it is.

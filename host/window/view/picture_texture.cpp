@@ -16,12 +16,12 @@ void PictureTexture::forget() {
   shown_ = nullptr;
 }
 
-void PictureTexture::filter(vec2 place) {
+void PictureTexture::filter(vec2 place, bool squares) {
   if (name_ == 0) return;
   // Pixel for pixel where it is as large as its place.
   const int wanted = ivec2(glm::round(place)) == size_ ? GL_NEAREST : GL_LINEAR;
   glTextureParameteri(name_, GL_TEXTURE_MIN_FILTER, wanted);
-  glTextureParameteri(name_, GL_TEXTURE_MAG_FILTER, wanted);
+  glTextureParameteri(name_, GL_TEXTURE_MAG_FILTER, squares ? GL_NEAREST : wanted);
 }
 
 void PictureTexture::show(const DevelopedPtr& developed) {

@@ -19,8 +19,8 @@ class PictureTexture {
   void forget();
   /// Uploads the picture, unless it is the one that is there.
   void show(const DevelopedPtr& developed);
-  /// To be drawn that large [pixels of the screen].
-  void filter(vec2 place);
+  /// To be drawn that large [pixels of the screen]. squares: pixels that come out larger are seen as such.
+  void filter(vec2 place, bool squares = false);
   unsigned name() const { return name_; }
   const DevelopedPtr& shown() const { return shown_; }
 

@@ -233,6 +233,9 @@ TEST(Layout, PanesAreRememberedAndNonsenseIsNot) {
   sizes.outliner = 0.5f;
   EXPECT_EQ(read_pane_sizes(text_of(sizes)).left, 301.0f);
   EXPECT_EQ(read_pane_sizes(text_of(sizes)).outliner, 0.5f);
+  EXPECT_FALSE(read_pane_sizes(text_of(sizes)).probe) << "it was not dragged";
+  sizes.probe = ProbeSpot{{0.75f, 0.125f}, {340.0f, 312.0f}};
+  EXPECT_EQ(read_pane_sizes(text_of(sizes)).probe, sizes.probe);
   EXPECT_EQ(read_pane_sizes("left nan\nright 1e9\nwrong").left, PaneSizes().left);
   EXPECT_LE(read_pane_sizes("right 1e9").right, 1200.0f);
 }

@@ -77,5 +77,63 @@ TEST(ProbeSitting, AClickTellsWhatTheCommandLineTellsOfTheSamePixel) {
   sitting.keep("probe.png");
 }
 
+// In a small window, where there is little room for both.
+TEST(ProbeSitting, TheCardLeavesThePixelFreeAndStaysWhereItIsDragged) {
+  if (const std::string problem = Sitting::problem(); !problem.empty()) GTEST_SKIP() << problem;
+  Sitting sitting({"sphere"}, {1000, 700});
+  const auto looks_settled = [](const std::string& line) {
+    return line.find(" picture ") != line.npos && line.find(" rest ") != line.npos &&
+           line.find("passes 0") == line.npos;
+  };
+  sitting.wait_for(" still", sitting.wait_for(looks_settled));
+  sitting.stroke("i");
+  sitting.item("probe");
+  const ivec4 picture = sitting.item("picture");
+  const auto covers = [](ivec4 card, ivec2 at) {
+    return at.x >= card.x && at.y >= card.y && at.x < card.x + card.z && at.y < card.y + card.w;
+  };
+  const auto at = [&](vec2 share) {
+    return ivec2(picture.x + int(share.x * float(picture.z)), picture.y + int(share.y * float(picture.w)));
+  };
+  const ivec2 above = at({0.5f, 0.4f}), below = at({0.45f, 0.7f});
+  std::size_t since = sitting.now();
+  sitting.click(above);
+  sitting.move(above + ivec2(1, 0));
+  sitting.wait_for(" still", sitting.wait_for(" probe ", since));
+  EXPECT_FALSE(covers(sitting.item("probe"), above));
+  EXPECT_TRUE(covers(sitting.item("probe"), below)) << "else the next step shows nothing";
+  sitting.keep("probe-2-above.png");
+  // Beneath it one comes with the button down: it gives way.
+  since = sitting.now();
+  sitting.drag(above, below);
+  sitting.wait_for(" still", sitting.wait_for(" probe ", since));
+  EXPECT_FALSE(covers(sitting.item("probe"), below));
+  sitting.keep("probe-3-below.png");
+  const ivec4 before = sitting.item("probe");
+  EXPECT_LT(before.z * before.w, picture.z * picture.w * 2 / 5) << "most of the picture is free";
+  const ivec2 grip(before.x + 12, before.y + 12), way(180, before.y > 300 ? -60 : 160);
+  sitting.drag(grip, grip + way);
+  sitting.move({5, 5});
+  const ivec4 dragged = sitting.item("probe");
+  EXPECT_NEAR(dragged.x, before.x + way.x, 2);
+  EXPECT_NEAR(dragged.z, before.z, 1);
+  EXPECT_NEAR(dragged.y, before.y + way.y, 2);
+  sitting.kill_and_start_again({"sphere"}, SIGTERM);
+  sitting.wait_for(" still", sitting.wait_for(looks_settled));
+  sitting.stroke("i");
+  EXPECT_NEAR(sitting.item("probe").x, dragged.x, 2);
+  EXPECT_NEAR(sitting.item("probe").y, dragged.y, 2);
+  since = sitting.now();
+  sitting.click({picture.x + picture.z / 3, picture.y + picture.w / 2});
+  sitting.wait_for(" still", sitting.wait_for(" probe ", since));
+  sitting.keep("probe-4-dragged.png");
+  since = sitting.now();
+  sitting.click(sitting.middle("probe card reset"));
+  sitting.move({5, 5});
+  sitting.wait_for("item \"probe\"", since);
+  EXPECT_EQ(sitting.item("probe").z, before.z);
+  EXPECT_NE(sitting.item("probe").x, dragged.x);
+}
+
 }  // namespace
 }  // namespace plinian

@@ -1,0 +1,98 @@
+// A pixel of each, and words for them.
+#include "host/window/compare/pixel_readout.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plinian::window {
+
+namespace {
+
+std::optional<std::size_t> index_of(const Frame& frame, vec2 at) {
+  if (at.x < 0.0f || at.y < 0.0f || at.x >= 1.0f || at.y >= 1.0f || frame.beauty.empty()) return std::nullopt;
+  const ivec2 size(frame.width, frame.height), pixel = glm::min(ivec2(at * vec2(size)), size - 1);
+  return std::size_t(pixel.y) * std::size_t(size.x) + std::size_t(pixel.x);
+}
+
+PixelSeen seen(const Frame& frame, const Development& how, std::size_t index) {
+  const vec3 t = frame.transmittance[index];
+  return {visible_radiance(frame, how, index), 1.0f - (t.x + t.y + t.z) / 3.0f, frame.depth[index]};
+}
+
+std::string rgb(vec3 value) {
+  return fmt::format("{:7.4f} {:7.4f} {:7.4f}", value.x, value.y, value.z);
+}
+
+// No sign where nothing is left after rounding.
+float rounded(float value, float step) {
+  const float whole = std::round(value / step) * step;
+  return whole == 0.0f ? 0.0f : whole;
+}
+
+std::string depth_text(float depth) {
+  return std::isfinite(depth) ? fmt::format("   z {:.4g} m", depth) : "";
+}
+
+std::string alpha_text(const std::optional<float>& alpha) {
+  return alpha ? fmt::format("  a {:6.3f}", *alpha) : std::string(10, ' ');
+}
+
+}  // namespace
+
+std::optional<PixelReadout> read_pixel(const Developed& shown, const Development& how, vec2 at,
+                                       std::optional<vec2> other_at, const std::string& other_name) {
+  const ViewPicture& picture = *shown.picture;
+  const auto index = index_of(picture.frame, at);
+  if (!index) return std::nullopt;
+  PixelReadout readout;
+  // A quick picture has fewer pixels: the place is told in those of the one at rest.
+  readout.pixel = ivec2(at * vec2(picture.scene.width, picture.scene.height));
+  if (shown.map_error) readout.map_error = shown.map_error->pixels[*index];
+  readout.picture = seen(picture.frame, how, *index);
+  if (!how.against || !other_at || shown.map_error || !lacking_layer(how).empty()) return readout;
+  const Frame& other = (shown.other ? shown.other : how.against)->frame;
+  const auto other_index = index_of(other, *other_at);
+  if (!other_index) return readout;
+  readout.other = seen(other, how, *other_index);
+  readout.other_name = other_name;
+  readout.matched = shown.matched;
+  if (how.against_file && !how.against_file->picture.has_alpha) readout.other->alpha.reset();
+  if (how.against_file && how.matches && !shown.other) readout.matched = "not matched";
+  return readout;
+}
+
+std::vector<std::string> readout_lines(const PixelReadout& readout, std::size_t columns) {
+  const std::string place = fmt::format("{:4} {:4}", readout.pixel.x, readout.pixel.y);
+  const PixelSeen& picture = readout.picture;
+  const auto with = [&](std::string line, const std::string& more) {
+    return line.size() + more.size() <= columns ? line + more : line;
+  };
+  if (!readout.other) {
+    const std::string value = readout.map_error ? fmt::format("|dT| {:.4f}", *readout.map_error)
+                                                : fmt::format("{:.4f} {:.4f} {:.4f}", picture.radiance.x,
+                                                              picture.radiance.y, picture.radiance.z);
+    return {with(fmt::format("{}   {}   a {:.3f}", place, value, picture.alpha.value_or(1.0f)),
+                 depth_text(picture.depth))};
+  }
+  constexpr std::size_t longest = 18;  // a name that is left whole
+  std::string name = readout.other_name;
+  if (name.size() > longest) name = name.substr(0, longest - 3) + "...";
+  const std::string difference = "difference";
+  const std::size_t wide = std::max(name.size(), difference.size());
+  const PixelSeen& other = *readout.other;
+  const vec3 apart = picture.radiance - other.radiance;
+  std::string last = fmt::format("{:<{}} {:+7.4f} {:+7.4f} {:+7.4f}", difference, wide,
+                                 rounded(apart.x, 1e-4f), rounded(apart.y, 1e-4f), rounded(apart.z, 1e-4f));
+  if (other.alpha && picture.alpha)
+    last += fmt::format("  a {:+6.3f}", rounded(*picture.alpha - *other.alpha, 1e-3f));
+  const auto line = [&](const std::string& what, const PixelSeen& seen) {
+    return with(fmt::format("{:<{}} {}{}", what, wide, rgb(seen.radiance), alpha_text(seen.alpha)),
+                depth_text(seen.depth));
+  };
+  return {line(place, picture),
+          with(line(name, other), readout.matched.empty() ? "" : "   " + readout.matched), last};
+}
+
+}  // namespace plinian::window
