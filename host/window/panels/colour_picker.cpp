@@ -73,6 +73,9 @@ void ColourPicker::show(Studio& studio, const ColourField& field) {
       ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoAlpha | ImGuiColorEditFlags_NoDragDrop,
       {side, side});
   note_item(studio.trace, field.name + " swatch");
+  // A dark colour would be lost in the pane.
+  ImGui::GetWindowDrawList()->AddRect(at, {at.x + side, at.y + side}, 0x50ffffff,
+                                      ImGui::GetStyle().FrameRounding);
   constexpr float worth_telling = 1.1f;  // of a colour of luminance 1 a channel is a little over 1
   const bool clipped = std::max({field.linear.x, field.linear.y, field.linear.z}) > worth_telling;
   if (clipped) {  // a corner says so
