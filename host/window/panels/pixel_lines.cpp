@@ -9,6 +9,7 @@
 #include "host/window/compare/pixel_readout.h"
 #include "host/window/panels/fitted.h"
 #include "host/window/panels/overlay_text.h"
+#include "host/window/panels/snapshot_strip.h"
 #include "host/window/platform/theme.h"
 
 namespace plinian::window {
@@ -33,7 +34,9 @@ void draw_pixel(const PaneRect& place, const PaneRect& room, ivec2 pixels, vec2 
 }  // namespace
 
 float PixelLines::more_height(const Studio& studio) {
-  return studio.comparison.mode() == CompareMode::off ? 0.0f : 2.0f * row();
+  const bool compares = studio.comparison.mode() != CompareMode::off;
+  // A click on a snapshot compares, and the next one ends that: it must not move away between them.
+  return compares || snapshot_strip_height(studio) > 0.0f ? 2.0f * row() : 0.0f;
 }
 
 void PixelLines::show(Studio& studio, const DevelopedPtr& shown, const PicturePlaces& places,

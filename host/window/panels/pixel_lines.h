@@ -12,7 +12,7 @@ class PixelLines {
   /// other one, side by side, the same place of both is read.
   void show(Studio& studio, const DevelopedPtr& shown, const PicturePlaces& places, const PaneRect& picture,
             const PaneRect& pane, bool hovered);
-  /// What it takes of the pane's lower edge beyond a line while pictures are compared. [points]
+  /// What it takes of the pane's lower edge beyond a line while pictures are, or may be, compared. [points]
   static float more_height(const Studio& studio);
 
  private:
