@@ -2,7 +2,7 @@
 // in the middle there. The camera stays where it is, and the picture keeps its pixels.
 #pragma once
 
-#include "host/window/panels/layout.h"
+#include "host/window/drawing/pane_rect.h"
 
 namespace plinian::window {
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "host/window/drawing/pane_rect.h"
 #include "host/window/nodes/canvas_view.h"
 #include "host/window/nodes/connect_drag.h"
 #include "host/window/nodes/node_map.h"
-#include "host/window/panels/layout.h"
 #include "host/window/studio.h"
 
 namespace plinian::window {

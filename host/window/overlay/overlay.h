@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "host/window/drawing/pane_rect.h"
 #include "host/window/overlay/overlay_choice.h"
 #include "host/window/overlay/projection.h"
-#include "host/window/panels/layout.h"
 #include "host/window/studio.h"
 
 namespace plinian::window {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "host/window/panels/layout.h"
+#include "host/window/drawing/pane_rect.h"
 
 namespace plinian::window {
 

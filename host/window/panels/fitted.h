@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host/window/panels/layout.h"
+#include "host/window/drawing/pane_rect.h"
 
 namespace plinian::window {
 

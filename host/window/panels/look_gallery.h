@@ -4,7 +4,7 @@
 #include <map>
 #include <memory>
 
-#include "host/window/panels/layout.h"
+#include "host/window/drawing/pane_rect.h"
 #include "host/window/studio.h"
 #include "host/window/view/picture_texture.h"
 

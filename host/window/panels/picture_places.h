@@ -1,8 +1,8 @@
 // Where in the pane the picture lies, and the one that it is compared with.
 #pragma once
 
+#include "host/window/drawing/pane_rect.h"
 #include "host/window/navigation/picture_zoom.h"
-#include "host/window/panels/layout.h"
 
 namespace plinian::window {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "host/window/panels/layout.h"
+#include "host/window/drawing/pane_rect.h"
 
 namespace plinian::window {
 

@@ -1,7 +1,7 @@
 // The line beneath everything: what runs, what went wrong, what is shown.
 #pragma once
 
-#include "host/window/panels/layout.h"
+#include "host/window/drawing/pane_rect.h"
 #include "host/window/studio.h"
 
 namespace plinian::window {

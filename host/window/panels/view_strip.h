@@ -2,7 +2,7 @@
 // for what does not fit there either.
 #pragma once
 
-#include "host/window/panels/layout.h"
+#include "host/window/drawing/pane_rect.h"
 #include "host/window/studio.h"
 
 namespace plinian::window {

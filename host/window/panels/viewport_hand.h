@@ -1,7 +1,7 @@
 // The hand in the picture: moves the camera, and turns the key light.
 #pragma once
 
-#include "host/window/panels/layout.h"
+#include "host/window/drawing/pane_rect.h"
 #include "host/window/studio.h"
 
 namespace plinian::window {

@@ -1,7 +1,7 @@
 // What the viewport says about its picture, written over it.
 #pragma once
 
-#include "host/window/panels/layout.h"
+#include "host/window/drawing/pane_rect.h"
 #include "host/window/studio.h"
 
 namespace plinian::window {

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "host/window/drawing/drawings.h"
+#include "host/window/drawing/pane_rect.h"
 #include "host/window/handles/viewport_handles.h"
 #include "host/window/overlay/overlay.h"
 #include "host/window/panels/comparison_overlay.h"
-#include "host/window/panels/layout.h"
 #include "host/window/panels/look_gallery.h"
 #include "host/window/panels/picture_places.h"
 #include "host/window/panels/pixel_lines.h"

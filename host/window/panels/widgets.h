@@ -5,8 +5,8 @@
 #include <string>
 
 #include "core/shared/glue.h"
+#include "host/window/drawing/pane_rect.h"
 #include "host/window/fields/number_drag.h"
-#include "host/window/panels/layout.h"
 
 namespace plinian::window {
 
