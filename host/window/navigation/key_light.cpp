@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "core/scene/placement.h"
-#include "host/graph/values/value_text.h"
 #include "host/window/navigation/light_angles.h"
 
 namespace plinian::window {
@@ -28,18 +26,13 @@ graph::NodeId light_to_turn(const graph::Graph& graph) {
   return {};
 }
 
-dvec3 turned_light(const dvec3& rotation, dvec2 points) {
-  const Placement placement{.rotate = rotation};
-  SkyAngles angles = sky_angles(placement, dmat4(1.0)).value();
-  angles.azimuth += points.x * degrees_per_point;
-  angles.elevation = std::clamp(angles.elevation - points.y * degrees_per_point, -89.0, 89.0);
+std::optional<dvec3> turned_light(const LightStand& stand, dvec2 points) {
+  std::optional<SkyAngles> angles = sky_angles(stand.placement, stand.world_from_parent);
+  if (!angles) return std::nullopt;
+  angles->azimuth += points.x * degrees_per_point;
+  angles->elevation = std::clamp(angles->elevation - points.y * degrees_per_point, -89.0, 89.0);
   // Round, so that the command reads well.
-  return glm::round(rotation_toward(angles, placement, dmat4(1.0)) * 100.0) / 100.0;
-}
-
-std::string light_command(const std::string& node, const dvec3& rotation) {
-  return "setAttr " + node + ".rotate " + graph::write_number(rotation.x) + " " +
-         graph::write_number(rotation.y) + " " + graph::write_number(rotation.z);
+  return glm::round(rotation_toward(*angles, stand.placement, stand.world_from_parent) * 100.0) / 100.0;
 }
 
 }  // namespace plinian::window

@@ -1,9 +1,9 @@
 // The key light, turned around the medium by dragging in the picture.
 #pragma once
 
-#include <string>
+#include <optional>
 
-#include "host/graph/model/graph.h"
+#include "host/window/navigation/light_stand.h"
 
 namespace plinian::window {
 
@@ -11,12 +11,9 @@ namespace plinian::window {
 /// first there is; 0 where there is none.
 graph::NodeId light_to_turn(const graph::Graph& graph);
 
-/// The rotation [degrees about x, y, z] of a light that shone as `rotation` and is dragged that far: it comes
-/// from further right when dragged right, and from higher when dragged up. points: of the mouse, x right, y
-/// down.
-dvec3 turned_light(const dvec3& rotation, dvec2 points);
-
-/// The command that sets it.
-std::string light_command(const std::string& node, const dvec3& rotation);
+/// The rotation [degrees about x, y, z] of a light that stood so and is dragged that far: it comes from
+/// further right when dragged right, and from higher when dragged up. points: of the mouse, x right, y down.
+/// None under a parent that is squeezed to nothing.
+std::optional<dvec3> turned_light(const LightStand& stand, dvec2 points);
 
 }  // namespace plinian::window

@@ -63,16 +63,18 @@ dvec3 rotation_toward(const SkyAngles& angles, const Placement& placement, const
   return rotation;
 }
 
-std::vector<std::string> rotate_lines(const std::string& node, const dvec3& before, const dvec3& after) {
-  const std::string set = "setAttr " + node + ".rotate";
-  std::vector<std::string> lines;
+std::string rotate_line(const std::string& node, const dvec3& rotation) {
+  return "setAttr " + node + ".rotate " + graph::write_number(rotation.x) + " " +
+         graph::write_number(rotation.y) + " " + graph::write_number(rotation.z);
+}
+
+std::optional<std::string> rotate_line(const std::string& node, const dvec3& before, const dvec3& after) {
+  const glm::bvec3 changes = glm::greaterThan(glm::abs(after - before), dvec3(1e-7));
+  if (!glm::any(changes)) return std::nullopt;
   for (int i = 0; i < 3; ++i)
-    if (std::abs(after[i] - before[i]) > 1e-7)
-      lines.push_back(set + "." + "xyz"[i] + " " + graph::write_number(after[i]));
-  if (lines.size() == 3)
-    lines = {set + " " + graph::write_number(after.x) + " " + graph::write_number(after.y) + " " +
-             graph::write_number(after.z)};
-  return lines;
+    if (changes == glm::bvec3(i == 0, i == 1, i == 2))
+      return "setAttr " + node + ".rotate." + "xyz"[i] + " " + graph::write_number(after[i]);
+  return rotate_line(node, after);
 }
 
 }  // namespace plinian::window

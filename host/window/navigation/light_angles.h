@@ -28,7 +28,11 @@ std::optional<SkyAngles> sky_angles(const Placement& placement, const dmat4& wor
 /// parent that is not squeezed.
 dvec3 rotation_toward(const SkyAngles& angles, const Placement& placement, const dmat4& world_from_parent);
 
-/// The commands that turn a node so: they set what changes, and leave the rest.
-std::vector<std::string> rotate_lines(const std::string& node, const dvec3& before, const dvec3& after);
+/// The command that turns a node so.
+std::string rotate_line(const std::string& node, const dvec3& rotation);
+
+/// The same where it is known how the node stood: none where nothing changes, and where one number does, of
+/// that alone.
+std::optional<std::string> rotate_line(const std::string& node, const dvec3& before, const dvec3& after);
 
 }  // namespace plinian::window

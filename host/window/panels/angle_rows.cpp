@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host/graph/model/hierarchy.h"
 #include "host/window/fields/arithmetic.h"
 #include "host/window/fields/edit_lines.h"
 #include "host/window/navigation/light_angles.h"
+#include "host/window/navigation/light_stand.h"
 #include "host/window/panels/field_row.h"
 #include "host/window/panels/widgets.h"
 
@@ -17,36 +17,13 @@ namespace plinian::window {
 
 namespace {
 
-// What of a placement turns: as it is now, also where it is driven.
-Placement placement_now(Studio& studio, const graph::Node& node, DrivenValues& driven) {
-  const auto number = [&](const std::string& name, double otherwise) {
-    const graph::AttributeIndex index = node.schema->find(name);
-    if (index == graph::no_attribute) return otherwise;
-    const graph::Plug plug{node.id, index};
-    return node.inputs_of(index).empty() ? number_at(studio.session().graph(), plug)
-                                         : driven.number(studio.session(), plug);
-  };
-  Placement placement;
-  for (int i = 0; i < 3; ++i) {
-    placement.rotate[i] = number(std::string("rotate.") + "xyz"[i], 0.0);
-    placement.scale[i] = number(std::string("scale.") + "xyz"[i], 1.0);
-  }
-  placement.order = RotateOrder(int(number("rotate_order", 0.0)));
-  return placement;
-}
-
-struct Standing {
-  Placement placement;
-  dmat4 world_from_parent{1.0};
-};
-
-Standing standing(Studio& studio, const graph::Node& node, DrivenValues& driven) {
+// As it is now, also where it is driven.
+LightStand stand_of(Studio& studio, const graph::Node& light, DrivenValues& driven) {
   const graph::Graph& graph = studio.session().graph();
-  Standing found{placement_now(studio, node, driven)};
-  for (const graph::NodeId above : graph::ancestors(graph, node.id))
-    found.world_from_parent =
-        matrix_of(placement_now(studio, *graph.find(above), driven)) * found.world_from_parent;
-  return found;
+  return light_stand(graph, light, [&](const graph::Plug& plug) {
+    return graph.find(plug.node)->inputs_of(plug.attribute).empty() ? number_at(graph, plug)
+                                                                    : driven.number(studio.session(), plug);
+  });
 }
 
 NumberRange range_of_angle(bool is_azimuth) {
@@ -61,18 +38,20 @@ NumberRange range_of_angle(bool is_azimuth) {
   return range;
 }
 
-dvec3 turned_to(const Standing& light, SkyAngles angles, bool is_azimuth, double value) {
+dvec3 turned_to(const LightStand& light, SkyAngles angles, bool is_azimuth, double value) {
   (is_azimuth ? angles.azimuth : angles.elevation) = value;
   return rotation_toward(angles, light.placement, light.world_from_parent);
 }
 
 // Why the light cannot be turned that way; empty where it can.
-std::string problem_of(Studio& studio, const graph::Node& node, const Standing& light,
+std::string problem_of(Studio& studio, const graph::Node& node, const LightStand& light,
                        const SkyAngles& angles, bool is_azimuth) {
   const double now = is_azimuth ? angles.azimuth : angles.elevation;
   const dvec3 turned = turned_to(light, angles, is_azimuth, now > 0.0 ? now - 20.0 : now + 20.0);
+  const glm::bvec3 stays = glm::lessThan(glm::abs(turned - light.placement.rotate), dvec3(1e-7));
+  const bool sets_all = int(stays.x) + int(stays.y) + int(stays.z) < 2;  // see rotate_line()
   for (int i = 0; i < 3; ++i) {
-    if (std::abs(turned[i] - light.placement.rotate[i]) < 1e-7) continue;
+    if (stays[i] && !sets_all) continue;
     const graph::Plug plug{node.id, node.schema->find(std::string("rotate.") + "xyz"[i])};
     if (const std::string problem = studio.session().editor().set_problem(plug); !problem.empty())
       return problem;
@@ -100,7 +79,7 @@ void AngleRows::show(Studio& studio, const graph::Node& node, DrivenValues& driv
 }
 
 void AngleRows::show_angle(Studio& studio, const graph::Node& node, DrivenValues& driven, bool is_azimuth) {
-  const Standing light = standing(studio, node, driven);
+  const LightStand light = stand_of(studio, node, driven);
   const std::optional<SkyAngles> angles = sky_angles(light.placement, light.world_from_parent);
   const std::string problem = angles ? problem_of(studio, node, light, *angles, is_azimuth)
                                      : "what " + node.name + " is under is scaled to nothing";
@@ -134,12 +113,12 @@ void AngleRows::show_angle(Studio& studio, const graph::Node& node, DrivenValues
   const auto turn = [&](double to, const std::string& merge_key) {
     to = is_azimuth ? wrapped(range_of_angle(true), to) : std::clamp(to, -90.0, 90.0);
     for (const graph::Node* other : lights_of(studio.session().graph(), node)) {
-      const Standing stands = standing(studio, *other, driven);
+      const LightStand stands = stand_of(studio, *other, driven);
       const auto its = sky_angles(stands.placement, stands.world_from_parent);
       if (!its) continue;
       const dvec3 after = turned_to(stands, *its, is_azimuth, to);
-      for (const std::string& line : rotate_lines(other->name, stands.placement.rotate, after))
-        studio.run(line, merge_key);
+      if (const auto line = rotate_line(other->name, stands.placement.rotate, after))
+        studio.run(*line, merge_key);
     }
   };
   if (edit.begun) merge_key_ = studio.commands.new_merge_key("drag");

@@ -5,19 +5,17 @@
 
 #include <algorithm>
 
-#include "host/graph/model/conversion.h"
+#include "host/window/fields/edit_lines.h"
 #include "host/window/navigation/key_light.h"
+#include "host/window/navigation/light_angles.h"
 
 namespace plinian::window {
 
 namespace {
 
-dvec3 rotation_of(Studio& studio, graph::NodeId light) {
-  const graph::Node& node = *studio.session().graph().find(light);
-  dvec3 rotation(0.0);
-  for (int i = 0; i < 3; ++i)
-    rotation[i] = graph::number_of(node.value(node.schema->find(std::string("rotate.") + "xyz"[i])));
-  return rotation;
+LightStand stand_of(const graph::Graph& graph, graph::NodeId light) {
+  return light_stand(graph, *graph.find(light),
+                     [&](const graph::Plug& plug) { return number_at(graph, plug); });
 }
 
 }  // namespace
@@ -42,7 +40,7 @@ void ViewportHand::move(Studio& studio, const PaneRect& picture, bool hovered) {
       hold_ = Hold::light;
       moved_ = false;
       last_ = pressed_ = mouse;
-      light_start_ = rotation_of(studio, light_);
+      light_start_ = stand_of(studio.session().graph(), light_);
       merge_key_ = studio.commands.new_merge_key("light");
     }
   }
@@ -80,8 +78,8 @@ void ViewportHand::turn_light(Studio& studio, dvec2 mouse) {
   }
   if (moved_) studio.keep_hand_on();
   if (mouse == last_) return;
-  const dvec3 rotation = turned_light(light_start_, mouse - pressed_);
-  studio.run(light_command(node->name, rotation), merge_key_);
+  if (const auto rotation = turned_light(light_start_, mouse - pressed_))
+    studio.run(rotate_line(node->name, *rotation), merge_key_);
   studio.keep_hand_on();
   moved_ = true;
   last_ = mouse;

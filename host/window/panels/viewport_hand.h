@@ -2,6 +2,7 @@
 #pragma once
 
 #include "host/window/drawing/pane_rect.h"
+#include "host/window/navigation/light_stand.h"
 #include "host/window/studio.h"
 
 namespace plinian::window {
@@ -20,7 +21,7 @@ class ViewportHand {
   bool moved_ = false;
   dvec2 last_{0.0}, pressed_{0.0};  // [points] of the mouse
   graph::NodeId light_;             // that is turned
-  dvec3 light_start_{0.0};          // [degrees] its rotation when the mouse was pressed
+  LightStand light_start_;          // when the mouse was pressed
   std::string merge_key_;
 };
 

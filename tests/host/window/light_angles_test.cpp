@@ -50,7 +50,9 @@ TEST(SkyAngles, StandThereInEveryOrderAndUnderEveryParent) {
             after.rotate = rotation;
             const SkyAngles again = sky_angles(after, parent).value();
             EXPECT_NEAR(again.elevation, elevation, 1e-3);
-            if (elevation < 85.0) EXPECT_NEAR(again.azimuth, azimuth, 1e-3);
+            if (elevation < 85.0) {
+              EXPECT_NEAR(again.azimuth, azimuth, 1e-3);
+            }
           }
 }
 
@@ -74,12 +76,10 @@ TEST(SkyAngles, OfWhatIsUnderAFlatParentAreNone) {
   EXPECT_FALSE(sky_angles({}, matrix_of({.scale = {1, 0, 1}})));
 }
 
-TEST(RotateLines, SetWhatChanges) {
-  EXPECT_EQ(rotate_lines("key", {-40, 30, 0}, {-40, 35, 0}),
-            std::vector<std::string>{"setAttr key.rotate.y 35"});
-  EXPECT_EQ(rotate_lines("key", {-40, 30, 5}, {-41, 35, 0}),
-            std::vector<std::string>{"setAttr key.rotate -41 35 0"});
-  EXPECT_TRUE(rotate_lines("key", {-40, 30, 5}, {-40, 30, 5}).empty());
+TEST(RotateLine, SetsWhatChanges) {
+  EXPECT_EQ(rotate_line("key", {-40, 30, 0}, {-40, 35, 0}), "setAttr key.rotate.y 35");
+  EXPECT_EQ(rotate_line("key", {-40, 30, 0}, {-41, 35, 0}), "setAttr key.rotate -41 35 0");
+  EXPECT_EQ(rotate_line("key", {-40, 30, 5}, {-40, 30, 5}), std::nullopt);
 }
 
 }  // namespace

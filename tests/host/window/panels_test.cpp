@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/scene/placement.h"
 #include "host/scene/workspace.h"
@@ -183,14 +184,32 @@ TEST(KeyLight, IsTheSelectedOneOrTheOneCalledKey) {
   EXPECT_EQ(light_to_turn(session.graph()), session.graph().get("rim").id);
 }
 
+dvec3 direction_after(const LightStand& stand, dvec2 points) {
+  Placement turned = stand.placement;
+  turned.rotate = turned_light(stand, points).value();
+  return normalize(dvec3((stand.world_from_parent * matrix_of(turned))[2]));
+}
+
 TEST(KeyLight, ComesFromTheRightWhenItIsDraggedThere) {
-  const dvec3 front(0.0);  // shines along -z: it comes from +z
-  const dvec3 right(rotation_xyz(turned_light(front, {100.0, 0.0}))[2]);
+  const LightStand front;  // shines along -z: it comes from +z
+  const dvec3 right = direction_after(front, {100.0, 0.0});
   EXPECT_GT(right.x, 0.5);
   EXPECT_NEAR(right.y, 0.0, 1e-3);
-  const dvec3 above(rotation_xyz(turned_light(front, {0.0, -100.0}))[2]);
+  const dvec3 above = direction_after(front, {0.0, -100.0});
   EXPECT_GT(above.y, 0.5);
-  EXPECT_LT(dvec3(rotation_xyz(turned_light(front, {0.0, -1e6}))[2]).y, 1.0) << "never over the top";
+  EXPECT_LT(direction_after(front, {0.0, -1e6}).y, 1.0) << "never over the top";
+}
+
+TEST(KeyLight, IsDraggedInTheWorldWhateverItIsUnder) {
+  LightStand stand;
+  stand.placement.order = RotateOrder::zyx;
+  stand.world_from_parent = matrix_of({.rotate = {0.0, 90.0, 30.0}});
+  const dvec3 before = direction_after(stand, {0.0, 0.0});
+  const dvec3 above = direction_after(stand, {0.0, -40.0});
+  EXPECT_NEAR(glm::degrees(std::asin(above.y) - std::asin(before.y)), 20.0, 0.05);
+  EXPECT_NEAR(std::atan2(above.x, above.z), std::atan2(before.x, before.z), 1e-3);
+  stand.world_from_parent = matrix_of({.scale = {1.0, 0.0, 1.0}});
+  EXPECT_FALSE(turned_light(stand, {1.0, 1.0}));
 }
 
 TEST(Layout, NothingOverlapsAndThePictureKeepsItsRoom) {
