@@ -301,6 +301,8 @@ void Interface::show_dialogs() {
   };
   ask(studio_.ask_open, {.title = "Open", .extensions = {".plinian", ".vdb", ".json", ".chan", ".exr"}},
       [this](const std::string& chosen) { studio_.files.open(chosen); });
+  ask(studio_.ask_import, {.title = "Import a volume", .extensions = {".vdb"}},
+      [this](const std::string& chosen) { studio_.files.add(chosen); });
   ask(studio_.ask_reference, {.title = "Load a reference", .extensions = {".exr", ".png"}},
       [this](const std::string& chosen) { studio_.run("loadReference " + graph::quote(chosen)); });
   ask(studio_.ask_plate, {.title = "Load a plate", .extensions = {".exr", ".png"}},

@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <utility>
 
 #include "core/integrate/map_renderer.h"
+#include "core/scene/framing.h"
 #include "core/scene/resources.h"
 #include "host/graph/files/scene_writer.h"
 #include "host/window/view/same_picture.h"
@@ -28,6 +30,19 @@ std::unique_ptr<Renderer> make_renderer() {
   } catch (const std::runtime_error&) {
     return make_map_renderer();
   }
+}
+
+// Whether the camera stands where frameView would put it, looking the same way.
+bool is_framed(const SceneSnapshot& scene) {
+  if (scene.media.empty()) return false;
+  const SceneBounds bounds = scene_bounds(scene.media);
+  const dmat4& now = scene.camera.world_from_camera;
+  const dvec3 back = glm::normalize(dvec3(now[2])), place(now[3]);
+  const Camera framed =
+      frame_bounds(scene.camera, bounds, glm::degrees(std::atan2(back.x, back.z)),
+                   glm::degrees(std::asin(std::clamp(back.y, -1.0, 1.0))), scene.width, scene.height);
+  const double away = glm::distance(place, bounds.centre());
+  return glm::distance(dvec3(framed.world_from_camera[3]), place) < 1e-3 * away;
 }
 
 void read_hotkeys(Hotkeys& hotkeys, ConsoleLog& console) {
@@ -55,6 +70,10 @@ Studio::Studio(std::function<void()> wake, const std::string& trace_path)
       inspector(wake),
       files(workspace, commands, viewpoint, console, trace),
       grids(wake) {
+  // Who loads a picture wants to see it, also where it was there and something else was looked at.
+  commands.ran = [this](const std::string& line) {
+    if (line.starts_with("loadReference") && line.find(" -plate") == line.npos) comparison.want_file();
+  };
   files.frame_all = [this] { viewpoint.frame(false, picture_size); };
   development.view.view = default_view();
   read_hotkeys(hotkeys, console);
@@ -159,14 +178,18 @@ void Studio::update_playblast() {
   }
 }
 
+// A camera that stands where its scene was framed for one gate is framed for the next; who placed it himself
+// keeps his place.
 void Studio::set_gate(ivec2 size) {
   commands.later([=, this] {
+    const bool was_framed = feed.snapshot() && is_framed(feed.snapshot()->snapshot);
     const graph::Node* settings = scene::first_of_type(session().graph(), "renderSettings");
     if (!settings) commands.run_now("createNode renderSettings -name settings");
     settings = scene::first_of_type(session().graph(), "renderSettings");
     const std::string key = commands.new_merge_key("gate");
     commands.run_now(fmt::format("setAttr {}.width {}", settings->name, size.x), key);
     commands.run_now(fmt::format("setAttr {}.height {}", settings->name, size.y), key);
+    if (was_framed) commands.run_now("frameView", key);
   });
 }
 

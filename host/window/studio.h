@@ -105,7 +105,7 @@ class Studio {
   bool zoom_key_held = false;   // the mouse pans the picture, the wheel magnifies it
   int zoom_steps = 0;           // that keys ask for; see PictureZoom
   bool focus_console = false, wants_quit = false, quit = false;
-  bool ask_open = false, ask_save_as = false, ask_reference = false, ask_plate = false;
+  bool ask_open = false, ask_save_as = false, ask_import = false, ask_reference = false, ask_plate = false;
   std::optional<FileWish> ask_file;  // of an attribute
   bool ask_playblast = false, show_snapshots = true, show_looks = false;
   bool show_nodes = false;    // beneath the picture, in place of the console

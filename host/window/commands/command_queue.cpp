@@ -51,6 +51,7 @@ bool CommandQueue::run_now(const std::string& line, const std::string& merge_key
   }
   merge_key_.clear();
   if (alone) job = {};
+  if (done && ran) ran(line);
   if (trace_.is_on()) trace_.note(fmt::format("ran {} ({:.1f} ms)", line, trace_.milliseconds() - begin));
   return done;
 }

@@ -48,6 +48,8 @@ class CommandQueue {
   std::function<void()> draw_meanwhile;
   /// Tells how far the job is; false where it is to end.
   bool tell_progress(double share);
+  /// Told of every command that has run and did not fail.
+  std::function<void(const std::string& line)> ran;
   /// Commands are not echoed: they are told as one.
   bool muted = false;
 

@@ -38,6 +38,7 @@ Comparison::Comparison(scene::Workspace& workspace, Development& development, st
     : developer(wake), images(workspace, wake), development_(development), wake_(std::move(wake)) {}
 
 void Comparison::set_mode(CompareMode mode) {
+  if (!other && mode != CompareMode::off) take_file();
   mode_ = other ? mode : CompareMode::off;
   development_.seen = mode_ == CompareMode::difference ? Seen::difference
                       : mode_ == CompareMode::flip     ? Seen::flip
@@ -103,6 +104,11 @@ void Comparison::update() {
     if (first && mode_ == CompareMode::off) set_mode(CompareMode::wipe);
     if (!there && kind == OtherKind::file) keep(nullptr, "", OtherKind::none);
     file_was_there_ = there;
+  }
+  if (wants_file_ && !images.reference.is_reading()) {
+    wants_file_ = false;
+    take_file();
+    if (kind == OtherKind::file && mode_ == CompareMode::off) set_mode(CompareMode::wipe);
   }
   development_.plate = images.plate.picture();
   if (!reference_) return;

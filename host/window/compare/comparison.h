@@ -36,7 +36,9 @@ class Comparison {
   ReferenceImages images;
 
   CompareMode mode() const { return mode_; }
-  /// Does nothing but to `off` where there is nothing to compare with.
+  /// Whether there is something to compare with, if only a file that was left.
+  bool has_other() const { return other || images.reference.picture(); }
+  /// Compares with the file where nothing else was chosen. Does nothing but to `off` where there is neither.
   void set_mode(CompareMode mode);
   void toggle(CompareMode mode) { set_mode(mode_ == mode ? CompareMode::off : mode); }
   Wipe wipe;
@@ -48,8 +50,9 @@ class Comparison {
 
   /// picture: null forgets.
   void keep(ViewPicturePtr picture, const std::string& name, OtherKind kind);
-  /// Compares with the picture from a file that the scene has; does nothing where there is none.
-  void take_file();
+  /// Compares with the picture from a file that the scene has, as soon as it is read; does nothing where
+  /// there is none.
+  void want_file() { wants_file_ = true; }
   /// Whether the other shows another scene or view than pictures of that number.
   bool is_old(std::uint64_t number) const {
     return other && kind != OtherKind::file && other->number != number;
@@ -66,12 +69,14 @@ class Comparison {
   void update();
 
  private:
+  void take_file();
+
   Development& development_;
   std::function<void()> wake_;
   CompareMode mode_ = CompareMode::off;
   std::unique_ptr<ViewRenderer> reference_;
   ViewPicturePtr taken_;  // of the reference
-  bool file_was_there_ = false;
+  bool file_was_there_ = false, wants_file_ = false;
 };
 
 }  // namespace plinian::window

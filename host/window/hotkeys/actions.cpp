@@ -213,6 +213,7 @@ void act(Studio& studio, Action action) {
       return;
     case Action::cancel:
       if (std::exchange(studio.show_hotkeys, false)) return;
+      if (studio.commands.job.what.empty() && std::exchange(studio.show_looks, false)) return;
       studio.commands.job.cancelled = true;
       comparison.stop_reference();
       studio.playblast.cancel();

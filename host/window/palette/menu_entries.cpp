@@ -20,6 +20,7 @@ std::vector<PaletteEntry> menu_entries() {
   for (const char* kind : {"ash", "cloud", "sandstorm", "explosion"})
     add((std::string("begin with ") + kind).c_str(), "a procedural medium in place of the scene",
         [kind](Studio& s) { s.files.begin_anew(kind); });
+  add("import a volume", "beside those of the scene", [](Studio& s) { s.ask_import = true; });
   add("look gallery", "the scene in every look beside the picture", [](Studio& s) { s.show_looks ^= true; });
   add("snapshots", "the strip of snapshots", [](Studio& s) { s.show_snapshots ^= true; });
   add("load a plate", "a picture behind what has an alpha", [](Studio& s) { s.ask_plate = true; });
@@ -28,6 +29,8 @@ std::vector<PaletteEntry> menu_entries() {
   });
   add("match exposure and background", "of a reference from a file",
       [](Studio& s) { s.development.matches ^= true; });
+  add("compare with the reference", "the picture from a file that the scene has",
+      [](Studio& s) { s.comparison.want_file(); });
   add("compare with nothing", "let go of the other picture",
       [](Studio& s) { s.comparison.keep(nullptr, "", OtherKind::none); });
   add("stop the reference", "what is rendered of it is lost",

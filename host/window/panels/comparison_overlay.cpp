@@ -152,12 +152,14 @@ std::vector<std::string> comparison_lines(const Studio& studio, const DevelopedP
   return lines;
 }
 
-void ComparisonOverlay::show(Studio& studio, const PaneRect& pane, const PicturePlaces& places,
-                             const DevelopedPtr& shown, double pixel_ratio, bool free) {
+CompareMode ComparisonOverlay::shown_mode(const Comparison& comparison) const {
+  return comparison.other && texture_.name() != 0 ? comparison.mode() : CompareMode::off;
+}
+
+void ComparisonOverlay::show(Studio& studio, const PicturePlaces& places, double pixel_ratio, bool free) {
   const Comparison& comparison = studio.comparison;
   texture_.filter(places.picture.size * float(pixel_ratio), places.shows_squares);
-  const bool there = comparison.other && texture_.name() != 0;
-  const CompareMode mode = there ? comparison.mode() : CompareMode::off;
+  const CompareMode mode = shown_mode(comparison);
   if (mode == CompareMode::wipe)
     show_wipe(studio, places, free);
   else
@@ -165,8 +167,14 @@ void ComparisonOverlay::show(Studio& studio, const PaneRect& pane, const Picture
   const bool others_turn = comparison.is_others_turn();
   if (mode == CompareMode::side_by_side || (mode == CompareMode::flicker && others_turn))
     draw_whole(places.other, places.other_room);
+}
+
+void ComparisonOverlay::show_lines(const Studio& studio, const PaneRect& pane, const PicturePlaces& places,
+                                   const DevelopedPtr& shown) {
+  const Comparison& comparison = studio.comparison;
+  const CompareMode mode = shown_mode(comparison);
   const vec2 corner(scaled(10), scaled(8));
-  const bool is_now = mode == CompareMode::flicker && !others_turn;
+  const bool is_now = mode == CompareMode::flicker && !comparison.is_others_turn();
   const bool is_named =
       mode == CompareMode::wipe || mode == CompareMode::side_by_side || mode == CompareMode::flicker;
   const std::string label = !is_named ? "" : is_now ? "now" : comparison.name;

@@ -12,8 +12,10 @@ class ComparisonOverlay {
   /// Takes over what was developed, and asks for what is to be. shown: the picture that is compared, or null.
   void take_picture(Studio& studio, const DevelopedPtr& shown);
   /// free: the mouse is in the viewport, also while it is down, and nobody else's.
-  void show(Studio& studio, const PaneRect& pane, const PicturePlaces& places, const DevelopedPtr& shown,
-            double pixel_ratio, bool free);
+  void show(Studio& studio, const PicturePlaces& places, double pixel_ratio, bool free);
+  /// What there is to read of it, over everything else that is drawn in the pane.
+  void show_lines(const Studio& studio, const PaneRect& pane, const PicturePlaces& places,
+                  const DevelopedPtr& shown);
   /// Whether the mouse has hold of the line.
   bool is_held() const { return hold_ != Hold::nothing; }
   /// Where its lines end that stand in the pane's upper right corner. [points]
@@ -22,6 +24,7 @@ class ComparisonOverlay {
  private:
   enum class Hold { nothing, line, forward_grip, backward_grip };
   void show_wipe(Studio& studio, const PicturePlaces& places, bool free);
+  CompareMode shown_mode(const Comparison& comparison) const;
   void draw_whole(const PaneRect& place, const PaneRect& room) const;
 
   PictureTexture texture_;

@@ -111,7 +111,7 @@ void compare_menu(Studio& studio) {
       wanted ? fmt::format("Set the gate to {}x{}", wanted->x, wanted->y) : "Set the gate to the reference's";
   if (ImGui::MenuItem(gate.c_str(), "", false, wanted.has_value())) studio.set_gate(*wanted);
   ImGui::Separator();
-  const bool there = comparison.other != nullptr;
+  const bool there = comparison.has_other();
   const auto way = [&](const char* label, Action action, CompareMode mode) {
     item(studio, label, action, there, comparison.mode() == mode);
   };
@@ -126,7 +126,12 @@ void compare_menu(Studio& studio) {
   ImGui::Separator();
   item(studio, "Probe a pixel", Action::probe, true, studio.inspector.on);
   ImGui::MenuItem("Snapshots", "", &studio.show_snapshots);
-  if (ImGui::MenuItem("Compare with nothing", "", false, there))
+  if (const FilePicturePtr& file = comparison.images.reference.picture()) {
+    const bool is_it = comparison.kind == OtherKind::file;
+    if (ImGui::MenuItem(("Compare with " + file->name).c_str(), "", is_it)) comparison.want_file();
+    note_item(studio.trace, "compare with file");
+  }
+  if (ImGui::MenuItem("Compare with nothing", "", false, comparison.other != nullptr))
     comparison.keep(nullptr, "", OtherKind::none);
 }
 
@@ -147,6 +152,7 @@ void show_menu(Studio& studio) {
         if (ImGui::MenuItem(kind)) studio.files.begin_anew(kind);
       ImGui::EndMenu();
     }
+    if (ImGui::MenuItem("Import a volume...")) studio.ask_import = true;
     ImGui::Separator();
     item(studio, "Save", Action::save_scene);
     item(studio, "Save as...", Action::save_scene_as);

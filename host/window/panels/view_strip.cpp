@@ -20,7 +20,7 @@ namespace {
 void show_modes(Studio& studio) {
   Comparison& comparison = studio.comparison;
   const bool is_on = comparison.mode() != CompareMode::off;
-  ImGui::BeginDisabled(!comparison.other);
+  ImGui::BeginDisabled(!comparison.has_other());
   ImGui::SetNextItemWidth(scaled(98));
   if (is_on) ImGui::PushStyleColor(ImGuiCol_Text, colour::accent);
   const bool open = ImGui::BeginCombo("##compare", is_on ? name_of(comparison.mode()) : "compare");
@@ -35,8 +35,9 @@ void show_modes(Studio& studio) {
   }
   ImGui::EndDisabled();
   if (open) return;
-  help(comparison.other
-           ? "How the picture is compared with " + comparison.name + "."
+  const FilePicturePtr& file = comparison.images.reference.picture();
+  help(comparison.has_other()
+           ? "How the picture is compared with " + (comparison.other ? comparison.name : file->name) + "."
            : "There is nothing to compare with: keep a snapshot (" +
                  text_of(studio.hotkeys.chord(Action::snapshot_picture)) + "), render the reference (" +
                  text_of(studio.hotkeys.chord(Action::reference)) + ") or load one (" +

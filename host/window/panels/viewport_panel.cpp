@@ -17,12 +17,19 @@ namespace plinian::window {
 
 namespace {
 
-// What is measured against a picture of the gate's size has that size, however large it is shown.
-std::optional<ivec2> measured_gate(const Studio& studio) {
-  if (studio.viewpoint.look.free || !studio.feed.snapshot()) return std::nullopt;
+// What is measured against another picture has its size, however large it is shown: that of a file is the
+// gate's; of one that was made here, any that has the shape in which the picture is shown.
+ivec2 measured_size(const Studio& studio, ivec2 pixels) {
+  const Comparison& comparison = studio.comparison;
+  if (comparison.kind == OtherKind::snapshot && comparison.mode() != CompareMode::off) {
+    const ivec2 other(comparison.other->frame.width, comparison.other->frame.height);
+    const double height = double(other.y) * pixels.x / std::max(1, other.x);
+    return std::abs(height - pixels.y) < 1.0 ? other : pixels;
+  }
+  if (studio.viewpoint.look.free || !studio.feed.snapshot()) return pixels;
   const SceneSnapshot& scene = studio.feed.snapshot()->snapshot;
-  const auto wanted = studio.comparison.wanted_size();
-  return wanted == ivec2(scene.width, scene.height) ? wanted : std::nullopt;
+  const auto wanted = comparison.wanted_size();
+  return wanted == ivec2(scene.width, scene.height) ? *wanted : pixels;
 }
 
 }  // namespace
@@ -41,8 +48,7 @@ vec2 ViewportPanel::settle_size(Studio& studio, const PaneRect& pane, double pix
   ivec2 pixels(std::max(16, int(std::lround(size.x * pixel_ratio))),
                std::max(16, int(std::lround(size.y * pixel_ratio))));
   size = vec2(pixels) / float(pixel_ratio);
-  if (const auto gate = measured_gate(studio)) pixels = *gate;
-  studio.picture_size = pixels;
+  studio.picture_size = measured_size(studio, pixels);
   return size;
 }
 
@@ -136,7 +142,7 @@ void ViewportPanel::show(Studio& studio, Drawings& drawings, const PaneRect& pan
   studio.trace.item("picture", places.picture.begin, places.picture.size);
   studio.trace.item("other picture", places.other.begin, places.other.size);
   const bool free_before = hovered && !zoom_.is_taken(studio);
-  comparison_.show(studio, pane, places, texture_.shown(), pixel_ratio, free_before);
+  comparison_.show(studio, places, pixel_ratio, free_before);
   const bool free = free_before && !comparison_.is_held();
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->PushClipRect(to_im(places.room.begin), to_im(places.room.begin + places.room.size), true);
@@ -151,6 +157,7 @@ void ViewportPanel::show(Studio& studio, Drawings& drawings, const PaneRect& pan
   list->PopClipRect();
   probe_.choose(studio, places, shown, free);
   hand_.move(studio, places.picture, free);
+  comparison_.show_lines(studio, pane, places, texture_.shown());
   show_notes(studio, pane, texture_.shown());
   show_map_error(studio, texture_.shown(), pane);
   pixel_.show(studio, texture_.shown(), places, shown, pane, hovered);

@@ -236,6 +236,54 @@ TEST_F(WindowSitting, MeasuresAgainstAPictureFromAFileAndRestoresASnapshot) {
   EXPECT_EQ(text_of(sitting.folder() / "before.plinian"), text_of(sitting.folder() / "after.plinian"));
 }
 
+// Whoever renders a volume at another size has it framed for that.
+TEST_F(WindowSitting, MeetsAFilesGateAndComesBackToTheFile) {
+  Sitting sitting({"sphere"});
+  wait_for_rest(sitting, 0);
+  const Ended rendered = plinian_program({"render", "sphere", "-o", "ref.exr", "--size", "320x240", "-q"},
+                                         {.folder = sitting.folder().string()});
+  ASSERT_EQ(rendered.code, 0) << rendered.err;
+  const auto measured = [&](std::size_t since) {
+    return sitting.wait_for(
+        [](const std::string& line) {
+          return line.find(" 320x240 ") != line.npos && line.find(" rest ") != line.npos &&
+                 psnr_in(line) > 50.0;
+        },
+        since);
+  };
+  const auto choose = [&](const char* entry) {
+    sitting.click({sitting.item("picture").x + 3, sitting.item("picture").y + 3});
+    sitting.wait_for_keys("keys to the window");
+    sitting.stroke("Control_L+Shift_L+p");
+    sitting.type(entry);
+    sitting.stroke("Return");
+  };
+  std::size_t since = sitting.now();
+  command(sitting, "loadReference ref.exr");
+  sitting.wait_for(" picture ", since);  // held against it
+  since = sitting.now();
+  choose("set the gate");
+  measured(sitting.wait_for("ran frameView", since));
+  sitting.keep("12-gate.png");
+  for (const char* back : {"compare with the reference", "FLIP"}) {
+    choose("compare with nothing");
+    since = sitting.now();
+    choose(back);
+    measured(since);
+  }
+  choose("compare with nothing");
+  since = sitting.now();
+  command(sitting, "loadReference ref.exr");
+  measured(since);
+  // What is kept of a picture of the gate's size is measured at that size.
+  sitting.click({sitting.item("picture").x + 3, sitting.item("picture").y + 3});
+  sitting.wait_for_keys("keys to the window");
+  sitting.stroke("p");
+  since = sitting.now();
+  sitting.click(sitting.middle("snapshot 1"));
+  measured(since);
+}
+
 TEST_F(WindowSitting, AsksAboutUnsavedChanges) {
   Sitting sitting({"--empty"});
   const auto ask = [&] {
