@@ -75,7 +75,7 @@ void LightPanel::show_light(Studio& studio, const graph::Node& node, DrivenValue
   }
   trace("solo");
   ImGui::SameLine(0.0f, scaled(6));
-  const float field = scaled(70), swatch = ImGui::GetFrameHeight() + scaled(4), left = ImGui::GetCursorPosX();
+  const float field = scaled(80), swatch = ImGui::GetFrameHeight() + scaled(4), left = ImGui::GetCursorPosX();
   const bool selected = std::count(graph.selection().begin(), graph.selection().end(), node.id) > 0;
   ImGui::AlignTextToFramePadding();
   const float room = ImGui::GetContentRegionAvail().x - field - swatch - scaled(6);
