@@ -62,7 +62,11 @@ class Comparison {
 
   /// Renders the offline reference of a scene.
   void render_reference(const SceneSnapshot& scene, std::uint64_t number);
-  void stop_reference() { reference_.reset(); }
+  /// What there was of it is kept only where it is compared with.
+  void stop_reference() {
+    reference_.reset();
+    taken_ = nullptr;
+  }
   /// How far that is [0, 1]; none where none is being rendered.
   std::optional<double> reference_share() const;
   /// Takes over what there is of the reference and of files. To be called once a turn.
