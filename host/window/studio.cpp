@@ -4,14 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <utility>
 
 #include "core/integrate/map_renderer.h"
-#include "core/scene/framing.h"
 #include "core/scene/resources.h"
 #include "host/graph/files/scene_writer.h"
 #include "host/window/view/same_picture.h"
@@ -30,19 +28,6 @@ std::unique_ptr<Renderer> make_renderer() {
   } catch (const std::runtime_error&) {
     return make_map_renderer();
   }
-}
-
-// Whether the camera stands where frameView would put it, looking the same way.
-bool is_framed(const SceneSnapshot& scene) {
-  if (scene.media.empty()) return false;
-  const SceneBounds bounds = scene_bounds(scene.media);
-  const dmat4& now = scene.camera.world_from_camera;
-  const dvec3 back = glm::normalize(dvec3(now[2])), place(now[3]);
-  const Camera framed =
-      frame_bounds(scene.camera, bounds, glm::degrees(std::atan2(back.x, back.z)),
-                   glm::degrees(std::asin(std::clamp(back.y, -1.0, 1.0))), scene.width, scene.height);
-  const double away = glm::distance(place, bounds.centre());
-  return glm::distance(dvec3(framed.world_from_camera[3]), place) < 1e-3 * away;
 }
 
 void read_hotkeys(Hotkeys& hotkeys, ConsoleLog& console) {
@@ -182,7 +167,13 @@ void Studio::update_playblast() {
 // keeps his place.
 void Studio::set_gate(ivec2 size) {
   commands.later([=, this] {
-    const bool was_framed = feed.snapshot() && is_framed(feed.snapshot()->snapshot);
+    bool was_framed = false;
+    if (feed.snapshot() && !feed.snapshot()->snapshot.media.empty()) {
+      const SceneSnapshot& scene = feed.snapshot()->snapshot;
+      const ViewPicturePtr seen = picture();
+      const MediaExtent::Ptr extent = MediaExtent::of(scene.media, seen ? seen->extent : nullptr);
+      was_framed = is_framed(scene.camera, extent->all(), {scene.width, scene.height});
+    }
     const graph::Node* settings = scene::first_of_type(session().graph(), "renderSettings");
     if (!settings) commands.run_now("createNode renderSettings -name settings");
     settings = scene::first_of_type(session().graph(), "renderSettings");

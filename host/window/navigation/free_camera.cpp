@@ -75,4 +75,14 @@ FreeCamera frame(FreeCamera camera, const SceneBounds& bounds, ivec2 pane) {
   return free;
 }
 
+bool is_framed(const Camera& camera, const SceneBounds& bounds, ivec2 pane) {
+  const FreeCamera here = free_camera_at(camera, interest_distance(camera, bounds));
+  const dmat4 framed = frame(here, bounds, pane).camera().world_from_camera;
+  const dmat4& now = camera.world_from_camera;
+  constexpr double near = 1e-3;  // [-] of the distance, and of a radian
+  for (int axis = 0; axis < 3; ++axis)
+    if (glm::distance(glm::normalize(dvec3(now[axis])), dvec3(framed[axis])) > near) return false;
+  return glm::distance(dvec3(now[3]), dvec3(framed[3])) < near * here.distance;
+}
+
 }  // namespace plinian::window

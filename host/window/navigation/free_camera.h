@@ -40,4 +40,7 @@ FreeCamera dolly(FreeCamera camera, double points);
 /// Shows everything in the bounds, seen from the same side. pane: [pixels] of the picture.
 FreeCamera frame(FreeCamera camera, const SceneBounds& bounds, ivec2 pane);
 
+/// Whether a camera stands and looks as frame() would have it.
+bool is_framed(const Camera& camera, const SceneBounds& bounds, ivec2 pane);
+
 }  // namespace plinian::window

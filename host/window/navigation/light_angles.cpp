@@ -2,7 +2,6 @@
 #include "host/window/navigation/light_angles.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/scene/framing.h"

@@ -20,8 +20,8 @@ using Scores = std::vector<std::optional<int>>;  // of each word
 // What is typed: words that a node must have, that an attribute must have, and that either may have.
 struct Query {
   std::vector<std::vector<std::string>> words;  // each by itself
-  std::size_t of_node = 0;  // the first ones are the node's
-  bool is_dotted = false;   // the others are the attribute's
+  std::size_t of_node = 0;                      // the first ones are the node's
+  bool is_dotted = false;                       // the others are the attribute's
 };
 
 Query read(const std::string& text) {

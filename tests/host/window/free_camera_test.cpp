@@ -113,6 +113,24 @@ TEST(FreeCamera, FramingShowsEverythingFromTheSameSide) {
   EXPECT_LT(nearest, 60.0) << "and fills it";
 }
 
+TEST(FreeCamera, IsFramedForOneSizeUntilItIsMovedOrRolled) {
+  SceneBounds bounds;
+  bounds.minimum = dvec3(-2.0, 0.0, -1.0);
+  bounds.maximum = dvec3(2.0, 5.0, 1.0);
+  for (int i = 0; i < 8; ++i)
+    bounds.outline.push_back(glm::mix(bounds.minimum, bounds.maximum, dvec3(i & 1, i >> 1 & 1, i >> 2)));
+  const ivec2 size(512, 512);
+  const Camera framed = frame_bounds(some_camera(), bounds, 30.0, -4.0, size.x, size.y);
+  EXPECT_TRUE(is_framed(framed, bounds, size));
+  EXPECT_FALSE(is_framed(framed, bounds, {640, 480}));
+  Camera moved = framed;
+  moved.world_from_camera[3].x += 0.1;
+  EXPECT_FALSE(is_framed(moved, bounds, size));
+  Camera rolled = framed;
+  rolled.world_from_camera = glm::rotate(rolled.world_from_camera, glm::radians(5.0), dvec3(0.0, 0.0, 1.0));
+  EXPECT_FALSE(is_framed(rolled, bounds, size));
+}
+
 TEST(CameraHistory, GoesBackAndForthAndForgetsWhatWasTakenBack) {
   CameraHistory history;
   Look scene, first, second;
