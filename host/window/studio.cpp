@@ -139,7 +139,7 @@ bool Studio::can_play_again() const {
 
 void Studio::keep_played() {
   const ViewPicturePtr rendered = renderer.picture();
-  if (!is_playing || !rendered || rendered == kept_ || rendered->number < first_number_) return;
+  if (!is_playing || !rendered || rendered == kept_.lock() || rendered->number < first_number_) return;
   kept_ = rendered;
   played.keep(*rendered);
 }

@@ -124,7 +124,8 @@ class Studio {
   std::uint64_t numbers_ = 0;             // ever given
   std::uint64_t first_number_ = 1;        // of the take that is played
   ViewPicturePtr played_before_;          // of what was asked for; null: there is none
-  ViewPicturePtr kept_;                   // that was looked at last for what is played
+  // That was looked at last for what is played; it is not kept from going for that.
+  std::weak_ptr<const ViewPicture> kept_;
   std::chrono::steady_clock::time_point hand_on_until_{};
   // A configuration may be large.
   std::future<std::vector<OcioView>> reading_ocio_ = std::async(std::launch::async, plinian::ocio_views);

@@ -25,7 +25,7 @@ std::string size_text(ivec2 size) {
 void ComparisonOverlay::take_picture(Studio& studio, const DevelopedPtr& shown) {
   Comparison& comparison = studio.comparison;
   if (!comparison.other) {
-    asked_ = nullptr;
+    asked_.reset();
     asked_how_.clear();
     texture_.forget();
     return;
@@ -39,7 +39,7 @@ void ComparisonOverlay::take_picture(Studio& studio, const DevelopedPtr& shown) 
   plain.against_file = nullptr;
   plain.seen = Seen::picture;
   const std::string how = words_of(plain);
-  if (other != asked_ || how != asked_how_) {
+  if (other != asked_.lock() || how != asked_how_) {
     comparison.developer.ask(other, plain);
     asked_ = other;
     asked_how_ = how;

@@ -28,7 +28,7 @@ class ComparisonOverlay {
   void draw_whole(const PaneRect& place, const PaneRect& room) const;
 
   PictureTexture texture_;
-  ViewPicturePtr asked_;
+  std::weak_ptr<const ViewPicture> asked_;
   std::string asked_how_;
   Hold hold_ = Hold::nothing;
   float bottom_ = 0.0f;

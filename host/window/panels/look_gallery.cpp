@@ -35,15 +35,15 @@ PictureGrid picture_grid(int count, vec2 room, float aspect, float under, float 
 }
 
 void LookGallery::show(Studio& studio, const PaneRect& pane) {
-  if (!studio.show_looks) {
+  const ViewPicturePtr shown = studio.renderer.picture();
+  const bool is_empty = shown && shown->scene.media.empty();
+  if (is_empty) studio.looks.forget();
+  if (is_empty || !studio.show_looks) {
     textures_.clear();
     asked_.clear();
-    if (const ViewPicturePtr shown = studio.renderer.picture(); shown && shown->scene.media.empty())
-      studio.looks.forget();
-    return;
   }
+  if (!studio.show_looks) return;
   const graph::Node* medium = scene::medium_for_looks(studio.session().graph());
-  const ViewPicturePtr shown = studio.renderer.picture();
   // They are made where the hands and the picture are at rest.
   if (medium && shown && shown->at_rest && !studio.is_hand_on()) {
     std::string asks = fmt::format("{} {}", shown->number, words_of(studio.development));

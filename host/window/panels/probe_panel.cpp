@@ -248,7 +248,7 @@ void ProbePanel::show(Studio& studio, const PaneRect& room, const PaneRect& take
   } else {
     show_header(studio, *found);
     show_curves(studio, *found);
-    if (found->light && found != told_)
+    if (found->light && found != told_.lock())
       studio.trace.note(fmt::format("probe {} {} at {:.6g} {} exact {:.5f} map {:.5f}",
                                     found->question.pixel.x, found->question.pixel.y, found->t,
                                     found->light->light, mean(found->light->exact), mean(found->light->map)));

@@ -36,7 +36,7 @@ class ProbePanel {
   bool held_ = false;
   vec2 way_{0.0f};  // [points] from where it holds to the picture
   PaneRect shown_;  // [points] where the picture is
-  InspectionPtr told_;
+  std::weak_ptr<const Inspection> told_;
   ProbeCard card_;
   std::optional<std::size_t> index_;  // of it, among those that there is room for
   Asked asked_;

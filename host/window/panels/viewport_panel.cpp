@@ -55,7 +55,7 @@ vec2 ViewportPanel::settle_size(Studio& studio, const PaneRect& pane, double pix
 void ViewportPanel::take_picture(Studio& studio) {
   const ViewPicturePtr picture = studio.picture();
   const std::string how = words_of(studio.development);
-  if (picture && (picture != asked_picture_ || how != asked_development_)) {
+  if (picture && (picture != asked_picture_.lock() || how != asked_development_)) {
     studio.developer.ask(picture, studio.development);
     asked_picture_ = picture;
     asked_development_ = how;

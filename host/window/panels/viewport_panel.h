@@ -37,7 +37,7 @@ class ViewportPanel {
   ProbePanel probe_;
   ZoomHand zoom_;
   PixelLines pixel_;
-  ViewPicturePtr asked_picture_;
+  std::weak_ptr<const ViewPicture> asked_picture_;
   std::string asked_development_;
 };
 
