@@ -45,6 +45,7 @@ class RandomHand {
         sitting_.stroke("Control_L+Shift_L+p");
         sitting_.type(entry);
         sitting_.stroke("Return");
+        sitting_.stroke("Escape");  // there is none of that name now: what is typed next is for a new palette
       }
       for (const char* line : {"deleteSnapshot", "newScene -force", "cache -clear"}) run(line);
       const Clock::time_point asked = Clock::now();
