@@ -59,7 +59,7 @@ std::optional<PixelReadout> read_pixel(const Developed& shown, const Development
   readout.other_name = other_name;
   readout.matched = shown.matched;
   if (how.against_file && !how.against_file->picture.has_alpha) readout.other->alpha.reset();
-  if (how.against_file && how.matches && !shown.other) readout.matched = "not matched";
+  if (how.against_file && how.matching != Matching{} && !shown.other) readout.matched = "not matched";
   return readout;
 }
 

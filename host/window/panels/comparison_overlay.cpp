@@ -144,10 +144,11 @@ std::vector<std::string> comparison_lines(const Studio& studio, const DevelopedP
     lines.push_back(figures);
     // What to turn when a picture is to be met: light where all are off, colours where one is.
     if (const auto& b = shown->balance)
-      lines.push_back(fmt::format("brightness, this / {}:   R {:.2f}   G {:.2f}   B {:.2f}", comparison.name,
-                                  b->x, b->y, b->z));
+      lines.push_back(fmt::format("brightness, this / {}:   R {:.2f}   G {:.2f}   B {:.2f}   ({:+.2f} EV)",
+                                  comparison.name, b->x, b->y, b->z,
+                                  std::log2(std::max((b->x + b->y + b->z) / 3.0f, 1e-6f))));
     if (!shown->matched.empty())
-      lines.push_back("matched before measuring: " + shown->matched + " (Compare > Match)");
+      lines.push_back(comparison.name + " is " + shown->matched + " (Compare > Match)");
   }
   return lines;
 }
@@ -177,7 +178,9 @@ void ComparisonOverlay::show_lines(const Studio& studio, const PaneRect& pane, c
   const bool is_now = mode == CompareMode::flicker && !comparison.is_others_turn();
   const bool is_named =
       mode == CompareMode::wipe || mode == CompareMode::side_by_side || mode == CompareMode::flicker;
-  const std::string label = !is_named ? "" : is_now ? "now" : comparison.name;
+  std::string label = !is_named ? "" : is_now ? "now" : comparison.name;
+  // What is looked at is not what is in the file.
+  if (is_named && !is_now && shown && !shown->matched.empty()) label += ", " + shown->matched;
   vec2 label_at = common(places.other, places.other_room).begin + corner;
   const float badge = zoom_badge_width(studio), badge_end = pane.begin.x + corner.x + badge;
   if (badge > 0.0f) label_at.x = std::max(label_at.x, badge_end);

@@ -133,8 +133,9 @@ bool sees_beauty(const Development& how) {
 
 // A picture from a file, as it is measured.
 ViewPicturePtr matched_picture(const ViewPicture& picture, const Development& how, std::string& said) {
-  if (!how.matches || !sees_beauty(how)) return how.against;
-  const Match matched = match(picture.frame, picture.scene.background, how.against_file->picture);
+  if (how.matching == Matching{} || !sees_beauty(how)) return how.against;
+  const Match matched =
+      match(picture.frame, picture.scene.background, how.against_file->picture, how.matching);
   said = matched.text();
   auto other = std::make_shared<ViewPicture>(*how.against);
   other->frame = matched.frame;
@@ -227,8 +228,9 @@ std::string words_of(const Development& how) {
   std::string words =
       fmt::format("{} {} {} {} {} {} {} {}", how.solo_ambient, int(how.view.view), how.view.exposure,
                   how.view.gamma, how.view.ocio_config, how.view.ocio_display, how.view.ocio_view, how.layer);
-  words += fmt::format(" {} {} {} {} {}", static_cast<const void*>(how.against.get()),
-                       static_cast<const void*>(how.against_file.get()), how.matches, int(how.seen),
+  words += fmt::format(" {} {} {} {} {} {}", static_cast<const void*>(how.against.get()),
+                       static_cast<const void*>(how.against_file.get()), how.matching.exposure,
+                       how.matching.background, int(how.seen),
                        static_cast<const void*>(how.plate.get()));
   for (const std::string& light : how.solo) words += " " + light;
   return words;

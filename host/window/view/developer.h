@@ -29,7 +29,7 @@ struct Development {
   bool solo_ambient = false;    // ... and the sky's
   ViewPicturePtr against;       // measured against this one, where it has the same size
   FilePicturePtr against_file;  // ... which is this one, from a file
-  bool matches = true;          // a file's exposure and background are matched first
+  Matching matching;            // of a file's, first
   Seen seen = Seen::picture;
   FilePicturePtr plate;  // behind what has an alpha, of which it takes the shape
   std::string layer;     // beauty (or empty), alpha, depth, emission, ambient, map error

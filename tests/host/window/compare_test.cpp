@@ -95,6 +95,8 @@ double largest_difference(const Frame& a, const Frame& b) {
   return largest;
 }
 
+constexpr Matching everything{.exposure = true, .background = true};
+
 TEST(Match, FindsExposureAndBackgroundOfTheSameMediumAndSaysSo) {
   const vec3 grey(0.2f), blue(0.0f, 0.1f, 0.4f);
   const Frame picture = frame_of(16, 0.8f, grey);
@@ -103,15 +105,47 @@ TEST(Match, FindsExposureAndBackgroundOfTheSameMediumAndSaysSo) {
   std::erase_if(image.channels, [](const Channel& c) { return c.name.starts_with("background"); });
   const ReadPicture read = read_picture(image, "", "auto", 0.0f);
   ASSERT_TRUE(read.has_alpha);
-  const Match matched = match(picture, grey, read);
+  const Match matched = match(picture, grey, read, everything);
   EXPECT_NEAR(matched.stops.value(), 1.0f, 1e-4f);
   EXPECT_TRUE(matched.background);
-  EXPECT_EQ(matched.text(), "exposure +1.00, background");
+  EXPECT_EQ(matched.text(), "matched by +1.00 EV, over this background");
   EXPECT_LT(largest_difference(matched.frame, picture), 1e-4);
   // The same picture needs nothing.
-  const Match same = match(picture, grey, read_picture(frame_to_image(picture), "", "auto", 0.0f));
-  EXPECT_EQ(same.text(), "");
+  const Match same =
+      match(picture, grey, read_picture(frame_to_image(picture), "", "auto", 0.0f), everything);
+  EXPECT_EQ(same.text(), "matched by +0.00 EV") << "it would be, were it another";
   EXPECT_LT(largest_difference(same.frame, picture), 1e-5);
+}
+
+TEST(Match, DoesNoMoreThanItIsAskedFor) {
+  const vec3 grey(0.2f), blue(0.0f, 0.1f, 0.4f);
+  const Frame picture = frame_of(16, 0.8f, grey), dim = frame_of(16, 0.4f, blue);
+  const ReadPicture read = read_picture(frame_to_image(dim), "", "auto", 0.0f);
+  const Match behind = match(picture, grey, read, {.background = true});
+  EXPECT_EQ(behind.text(), "over this background");
+  EXPECT_LT(largest_difference(behind.frame, frame_of(16, 0.4f, grey)), 1e-5);
+  const Match lit = match(picture, grey, read, {.exposure = true});
+  EXPECT_EQ(lit.text(), "matched by +1.00 EV");
+  EXPECT_LT(largest_difference(lit.frame, frame_of(16, 0.8f, blue)), 1e-4);
+  const Match as_it_came = match(picture, grey, read, {});
+  EXPECT_EQ(as_it_came.text(), "");
+  EXPECT_LT(largest_difference(as_it_came.frame, dim), 1e-5);
+}
+
+// Else who looks for a light would be told that it is found.
+TEST(Match, LeavesTheExposureOfSceneLinearPicturesAsItIs) {
+  const TemporaryFolder folder;
+  write_image(folder / "ours.exr", frame_to_image(frame_of(8, 0.4f, vec3(0.1f))));
+  write_image(folder / "plain.exr", make_image(8, 8, vec3(0.5f)));
+  write_image(folder / "seen.png", make_image(8, 8, vec3(0.5f)));
+  const auto usual = [&](const char* name, const char* colour_space = "auto") {
+    return usual_matching(read_picture(read_image(folder / name), "", colour_space, 0.0f));
+  };
+  EXPECT_EQ(usual("ours.exr"), (Matching{.exposure = false, .background = true}));
+  EXPECT_EQ(usual("plain.exr"), (Matching{.exposure = false, .background = false}));
+  EXPECT_EQ(usual("seen.png"), (Matching{.exposure = true, .background = false}));
+  EXPECT_FALSE(usual("seen.png", "linear").exposure) << "it is said to be so";
+  EXPECT_TRUE(usual("plain.exr", "srgb").exposure);
 }
 
 TEST(ReadPicture, TakesALayerAColourSpaceAndAnExposure) {

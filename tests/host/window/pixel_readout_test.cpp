@@ -98,16 +98,17 @@ TEST(PixelReadout, AFileIsReadAsItWasMatched) {
   Development how;
   how.against = ramp(0.25f);
   how.against_file = file_of(*how.against, false);
+  how.matching.exposure = true;
   const DevelopedPtr shown = develop(ramp(1.0f), how);
   auto readout = read_pixel(*shown, how, at(5, 1), at(5, 1), "ref.exr");
   ASSERT_TRUE(readout->other);
   expect_near(readout->other->radiance, readout->picture.radiance);
-  EXPECT_EQ(readout->matched, "exposure +2.00");
+  EXPECT_EQ(readout->matched, "matched by +2.00 EV");
   EXPECT_FALSE(readout->other->alpha) << "it has none";
   const std::vector<std::string> lines = readout_lines(*readout);
-  EXPECT_EQ(lines[1].substr(lines[1].size() - 17), "   exposure +2.00");
+  EXPECT_EQ(lines[1].substr(lines[1].size() - 22), "   matched by +2.00 EV");
   EXPECT_EQ(lines[2], "difference +0.0000 +0.0000 +0.0000");
-  how.matches = false;
+  how.matching = {};
   readout = read_pixel(*develop(ramp(1.0f), how), how, at(5, 1), at(5, 1), "ref.exr");
   expect_near(readout->other->radiance, 0.25f * readout->picture.radiance);
   EXPECT_EQ(readout->matched, "");
@@ -117,6 +118,7 @@ TEST(PixelReadout, WhatCannotBeMatchedIsSaidToBeSo) {
   Development how;
   how.against = ramp(0.25f, {16, 8});
   how.against_file = file_of(*how.against, true);
+  how.matching.exposure = true;
   const auto picture = ramp(1.0f);
   const auto readout = read_pixel(*develop(picture, how), how, at(2, 1), at(4, 3, {16, 8}), "ref.exr");
   ASSERT_TRUE(readout->other);
@@ -132,6 +134,7 @@ TEST(PixelReadout, AQuickPictureIsHeldAgainstWhatWasMatched) {
   Development how;
   how.against = ramp(0.25f);
   how.against_file = file_of(*how.against, false);
+  how.matching.exposure = true;
   const DevelopedPtr whole = develop(ramp(1.0f), how);
   const auto quick = ramp(1.0f, {4, 2});
   quick->quick = true;

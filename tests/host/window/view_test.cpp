@@ -306,6 +306,7 @@ TEST(Development, ABalanceIsThatOfAFileAsItCame) {
   Development how;
   how.against = half_seen(vec3(0.2f));
   how.against_file = file;
+  how.matching.exposure = true;
   const DevelopedPtr seen = develop(half_seen(vec3(0.4f)), how);
   ASSERT_TRUE(seen->balance);
   EXPECT_FALSE(seen->matched.empty());
