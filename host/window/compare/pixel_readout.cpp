@@ -57,7 +57,7 @@ std::optional<PixelReadout> read_pixel(const Developed& shown, const Development
   if (!other_index) return readout;
   readout.other = seen(other, how, *other_index);
   readout.other_name = other_name;
-  readout.matched = shown.matched;
+  if (shown.figures) readout.matched = shown.figures->matched;
   if (how.against_file && !how.against_file->picture.has_alpha) readout.other->alpha.reset();
   if (how.against_file && how.matching != Matching{} && !shown.other) readout.matched = "not matched";
   return readout;

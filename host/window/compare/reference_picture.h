@@ -19,7 +19,7 @@ struct ReadPicture {
                 // ambient, emission and lights of the layers that have a colour
   bool has_alpha = false;                          // else the transmittance is 0 everywhere
   bool has_ambient = false, has_emission = false;  // likewise
-  bool is_scene_linear = false;  // its exposure was not lost in a view
+  bool is_scene_linear = false;                    // its exposure was not lost in a view
 };
 
 /// layer: one of colour_layers, or empty. colour_space: auto, linear, srgb. exposure: [stops] on all of it.
@@ -39,9 +39,10 @@ struct Matching {
 Matching usual_matching(const ReadPicture& other);
 
 struct Match {
-  Frame frame;                 // the other picture as it is measured
-  std::optional<float> stops;  // [EV] it was made brighter by; none where it was not, or that could not be told
-  bool background = false;     // the picture's stands behind it in place of its own
+  Frame frame;  // the other picture as it is measured
+  std::optional<float>
+      stops;                // [EV] it was made brighter by; none where it was not, or that could not be told
+  bool background = false;  // the picture's stands behind it in place of its own
   /// "matched by +0.31 EV, over this background" or "" where nothing was done.
   std::string text() const;
 };

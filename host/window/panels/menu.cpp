@@ -125,8 +125,9 @@ void compare_menu(Studio& studio) {
   Matching& matching = studio.development.matching;
   ImGui::MenuItem("Match exposure", "", &matching.exposure, compared != nullptr);
   note_item(studio.trace, "match exposure");
-  help("Gives the picture from a file the exposure at which it is least apart, and says which. Hides how far "
-       "the light is off.");
+  help(
+      "Gives the picture from a file the exposure at which it is least apart, and says which. Hides how far "
+      "the light is off.");
   ImGui::MenuItem("Match background", "", &matching.background, compared && compared->picture.has_alpha);
   help("Puts this picture's background behind a file that has an alpha.");
   ImGui::Separator();

@@ -66,14 +66,15 @@ void ViewportPanel::take_picture(Studio& studio) {
   comparison_.take_picture(studio, shown);
   if (!shown || shown == before || !studio.trace.is_on()) return;
   const ViewPicture& p = *shown->picture;
-  studio.trace.note(fmt::format("picture {} {}x{} passes {} {} {:.0f} ms maps {:.0f} view {:.0f}{}", p.number,
-                                shown->width, shown->height, p.passes,
-                                p.is_played ? "played"
-                                : p.quick   ? "quick"
-                                : p.at_rest ? "rest"
-                                            : "refining",
-                                p.render_ms, p.stats.map_ms, p.stats.view_ms,
-                                shown->psnr ? fmt::format(" psnr {:.1f}", *shown->psnr) : ""));
+  studio.trace.note(fmt::format(
+      "picture {} {}x{} passes {} {} {:.0f} ms maps {:.0f} view {:.0f}{}", p.number, shown->width,
+      shown->height, p.passes,
+      p.is_played ? "played"
+      : p.quick   ? "quick"
+      : p.at_rest ? "rest"
+                  : "refining",
+      p.render_ms, p.stats.map_ms, p.stats.view_ms,
+      shown->figures && !shown->has_old_figures ? fmt::format(" psnr {:.1f}", shown->figures->psnr) : ""));
 }
 
 namespace {
