@@ -61,6 +61,32 @@ TEST(PixelReadout, ItIsOfThePixelUnderThePointerAsItIsSeen) {
   EXPECT_FALSE(read_pixel(*shown, how, {-0.01f, 0.5f}, std::nullopt, ""));
 }
 
+// Else one would tune a density by radiance.
+TEST(PixelReadout, ItIsOfTheLayerThatIsSeen) {
+  Development how;
+  const auto picture = ramp(1.0f);
+  const auto lines = [&] {
+    const std::optional<vec2> other_at = how.against ? std::optional(at(2, 3)) : std::nullopt;
+    return readout_lines(*read_pixel(*develop(picture, how), how, at(2, 3), other_at, "snapshot 1"));
+  };
+  using Lines = std::vector<std::string>;
+  how.layer = "alpha";
+  EXPECT_EQ(lines(), Lines{"   2    3   alpha 0.7500   z 6.5 m"});
+  how.layer = "depth";
+  EXPECT_EQ(lines(), Lines{"   2    3   depth 6.5 m"});
+  how.layer = "ambient";
+  EXPECT_EQ(lines(), Lines{"   2    3   ambient 0.0000 0.0000 0.0000   a 0.750   z 6.5 m"});
+  const auto thinner = ramp(1.0f);
+  thinner->frame.transmittance.assign(thinner->frame.beauty.size(), vec3(0.5f));
+  how.against = thinner;
+  how.layer = "alpha";
+  EXPECT_EQ(lines(), (Lines{"   2    3  alpha  0.7500   z 6.5 m", "snapshot 1 alpha  0.5000   z 6.5 m",
+                            "difference alpha +0.2500"}));
+  how.solo = {"key"};
+  EXPECT_EQ(lines()[0], "   2    3   0.5000  0.5000  0.5000  a  0.750   z 6.5 m")
+      << "lights that are shown alone are what is seen";
+}
+
 // It has fewer pixels; the place is told in those of the one at rest.
 TEST(PixelReadout, AQuickPictureIsReadWhereThePointerIs) {
   const auto quick = ramp(1.0f, {4, 2});
