@@ -190,7 +190,7 @@ void ComparisonOverlay::show_lines(const Studio& studio, const PaneRect& pane, c
   if (is_named && !is_now && is_held_against(shown, comparison) && shown->figures)
     if (const std::string& matched = shown->figures->matched; !matched.empty()) label += ", " + matched;
   vec2 label_at = common(places.other, places.other_room).begin + corner;
-  const float badge = zoom_badge_width(studio), badge_end = pane.begin.x + corner.x + badge;
+  const float badge = zoom_badge_width(places), badge_end = pane.begin.x + corner.x + badge;
   if (badge > 0.0f) label_at.x = std::max(label_at.x, badge_end);
   if (is_named) draw_text(label_at, is_now ? colour::faint_text : colour::text, label);
   const float label_end = is_named ? label_at.x + ImGui::CalcTextSize(label.c_str()).x + corner.x : badge_end;

@@ -109,7 +109,8 @@ void ViewportPanel::show_image(Drawings& drawings, const PicturePlaces& places, 
 void ViewportPanel::show(Studio& studio, Drawings& drawings, const PaneRect& pane, double pixel_ratio) {
   const vec2 size = settle_size(studio, pane, pixel_ratio);
   const auto place = [&] {
-    return picture_places(pane, size, studio.comparison.mode() == CompareMode::side_by_side, scaled(4),
+    return picture_places(pane, size, studio.picture_size.x,
+                          studio.comparison.mode() == CompareMode::side_by_side, scaled(4),
                           studio.viewpoint.zoom, float(pixel_ratio));
   };
   take_picture(studio);
@@ -159,11 +160,11 @@ void ViewportPanel::show(Studio& studio, Drawings& drawings, const PaneRect& pan
   probe_.choose(studio, places, shown, free);
   hand_.move(studio, places.picture, free);
   comparison_.show_lines(studio, pane, places, texture_.shown());
-  show_notes(studio, pane, texture_.shown());
+  show_notes(studio, places, pane, texture_.shown());
   show_map_error(studio, texture_.shown(), pane);
   pixel_.show(studio, texture_.shown(), places, shown, pane, hovered);
   ImGui::End();
-  show_zoom_badge(studio, pane);
+  show_zoom_badge(studio, places, pane);
   snapshots_.show(studio, above);
   // Between what is written along the edges.
   const float top = std::max(pane.begin.y + scaled(34), comparison_.bottom() + scaled(6));
