@@ -99,7 +99,7 @@ TEST(ReadoutSitting, BothPicturesAreReadWhicheverIsPointedAt) {
   sitting.type("match exposure");
   since = sitting.now();
   sitting.stroke("Return");
-  sitting.wait_for("psnr", since);
+  sitting.wait_for(" still", sitting.wait_for("psnr", since));
   const Read right = read_at("other picture", {0.55f, 0.45f});
   EXPECT_NEAR(right.pixel.x, 0.55f * 200.0f, 1.5f);
   EXPECT_NEAR(right.pixel.y, 0.45f * 150.0f, 1.5f);
