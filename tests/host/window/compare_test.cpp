@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "core/image/image_io.h"
+#include "host/window/compare/comparison.h"
 #include "host/window/compare/reference_images.h"
 #include "host/window/compare/reference_picture.h"
 #include "host/window/compare/snapshots.h"
@@ -168,6 +169,41 @@ TEST(ReadPicture, TakesALayerAColourSpaceAndAnExposure) {
     EXPECT_EQ(std::string(error.what()).find("no layer 'kez'"), 0u) << error.what();
     EXPECT_NE(std::string(error.what()).find("key"), std::string::npos);
   }
+}
+
+// What was chosen for one file says nothing of the next; the frames of a sequence are one.
+TEST(Comparison, HowAFileIsMatchedIsChosenForIt) {
+  const TemporaryFolder folder;
+  for (const int frame : {1, 2})
+    write_image(folder / ("ref.000" + std::to_string(frame) + ".exr"), make_image(8, 4, vec3(0.5f)));
+  write_image(folder / "seen.png", make_image(8, 4, vec3(0.5f)));
+  scene::TestWorkspace w;
+  Development development;
+  Comparison comparison(w, development, [] {});
+  const auto compares_with = [&](const std::string& name) {
+    for (int i = 0; i < 2000 && comparison.name != name; ++i) {
+      comparison.update();
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return comparison.name == name;
+  };
+  w.run("loadReference " + folder / "ref.####.exr");
+  ASSERT_TRUE(compares_with("ref.0001.exr"));
+  EXPECT_FALSE(development.matching.exposure);
+  development.matching.exposure = true;
+  w.run("currentTime 2");
+  ASSERT_TRUE(compares_with("ref.0002.exr"));
+  EXPECT_TRUE(development.matching.exposure);
+  comparison.keep(nullptr, "", OtherKind::none);
+  comparison.want_file();
+  ASSERT_TRUE(compares_with("ref.0002.exr"));
+  EXPECT_TRUE(development.matching.exposure);
+  w.run("setAttr reference.file " + folder / "ref.0001.exr");
+  ASSERT_TRUE(compares_with("ref.0001.exr"));
+  EXPECT_FALSE(development.matching.exposure);
+  w.run("setAttr reference.file " + folder / "seen.png");
+  ASSERT_TRUE(compares_with("seen.png"));
+  EXPECT_TRUE(development.matching.exposure);
 }
 
 struct WatchedImages {
