@@ -55,7 +55,7 @@ struct Figures {
   std::optional<double> flip;   // [-] mean, where it is what is seen
   std::optional<vec3> balance;  // [-] how bright each channel is, as a share of the other picture's as it
                                 // came, not as it was matched
-  std::string matched;  // what was done to the other first; empty: nothing
+  std::string matched;          // what was done to the other first; empty: nothing
 };
 
 struct Developed {
