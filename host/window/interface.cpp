@@ -15,6 +15,7 @@
 #include "host/window/panels/menu.h"
 #include "host/window/panels/open_popups.h"
 #include "host/window/panels/popups.h"
+#include "host/window/panels/probe_place.h"
 #include "host/window/panels/status_line.h"
 #include "host/window/panels/typing.h"
 #include "host/window/panels/view_strip.h"
@@ -353,7 +354,11 @@ void Interface::show_panels() {
   picture.begin.y += strip;
   picture.size.y = std::max(1.0f, picture.size.y - strip);
   picture_ = picture;
+  Inspector& inspector = studio_.inspector;
+  inspector.is_docked = studio_.show_panels && !inspector.spot &&
+                        is_better_beneath(picture, panes.bottom, scaled(100) / 100.0f);
   viewport_.show(studio_, drawings_, picture, window_.pixel_ratio());
+  const bool shows_probe = inspector.is_beneath();
   ImGui::BeginDisabled(busy);
   show_view_strip(studio_, above);
   if (studio_.show_panels) {
@@ -361,7 +366,9 @@ void Interface::show_panels() {
     lights_.show(studio_, panes.lights, attributes_.driven);
     attributes_.show(studio_, panes.attributes);
     timeline_.show(studio_, panes.timeline);
-    if (sizes_.shows_nodes) {
+    if (shows_probe) {
+      viewport_.show_probe(studio_, panes.bottom);
+    } else if (sizes_.shows_nodes) {
       nodes_.show(studio_, panes.bottom);
     } else {
       ImGui::EndDisabled();  // what is typed meanwhile waits its turn
@@ -370,7 +377,7 @@ void Interface::show_panels() {
     }
     show_splitters(panes);
   }
-  if (!studio_.show_panels || !sizes_.shows_nodes) nodes_.hide();
+  if (!studio_.show_panels || !sizes_.shows_nodes || shows_probe) nodes_.hide();
   show_status(studio_, panes.status);
   show_dialogs();
   ImGui::EndDisabled();

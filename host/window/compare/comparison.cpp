@@ -76,6 +76,10 @@ void Comparison::take_file() {
   picture->scene.height = picture->frame.height;
   picture->at_rest = true;
   keep(std::move(picture), file->name, OtherKind::file);
+  // What was chosen for it stays while it is the same one.
+  if (file->source == matched_source_) return;
+  matched_source_ = file->source;
+  development_.matching = usual_matching(file->picture);
 }
 
 std::optional<ivec2> Comparison::wanted_size() const {

@@ -81,6 +81,7 @@ class Comparison {
   std::unique_ptr<ViewRenderer> reference_;
   ViewPicturePtr taken_;  // of the reference
   bool file_was_there_ = false, wants_file_ = false;
+  std::string matched_source_;  // of the file that the matching was chosen for
 };
 
 }  // namespace plinian::window

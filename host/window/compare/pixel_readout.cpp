@@ -21,22 +21,56 @@ PixelSeen seen(const Frame& frame, const Development& how, std::size_t index) {
   return {visible_radiance(frame, how, index), 1.0f - (t.x + t.y + t.z) / 3.0f, frame.depth[index]};
 }
 
-std::string rgb(vec3 value) {
-  return fmt::format("{:7.4f} {:7.4f} {:7.4f}", value.x, value.y, value.z);
-}
-
 // No sign where nothing is left after rounding.
 float rounded(float value, float step) {
   const float whole = std::round(value / step) * step;
   return whole == 0.0f ? 0.0f : whole;
 }
 
+// The numbers of the layer that is seen, and what there is to say beside them; without RGB where they are not
+// what is seen.
+struct Words {
+  std::string value, more;
+};
+
 std::string depth_text(float depth) {
-  return std::isfinite(depth) ? fmt::format("   z {:.4g} m", depth) : "";
+  return std::isfinite(depth) ? fmt::format("z {:.4g} m", depth) : "";
 }
 
-std::string alpha_text(const std::optional<float>& alpha) {
-  return alpha ? fmt::format("  a {:6.3f}", *alpha) : std::string(10, ' ');
+Words words_of(const PixelSeen& seen, const PixelReadout& readout, bool aligned) {
+  const std::string depth = depth_text(seen.depth), more = depth.empty() ? "" : "   " + depth;
+  switch (readout.value) {
+    case PixelValue::map_error:
+      return {
+          fmt::format("|dT| {:.4f}   a {:.3f}", readout.map_error.value_or(0.0f), seen.alpha.value_or(1.0f)),
+          more};
+    case PixelValue::alpha:
+      return {fmt::format("{:{}.4f}", seen.alpha.value_or(1.0f), aligned ? 7 : 0), more};
+    case PixelValue::depth:
+      return {std::isfinite(seen.depth) ? fmt::format("{:.4g} m", seen.depth) : "none", ""};
+    default:
+      break;
+  }
+  const vec3 v = seen.radiance;
+  if (!aligned)
+    return {fmt::format("{:.4f} {:.4f} {:.4f}   a {:.3f}", v.x, v.y, v.z, seen.alpha.value_or(1.0f)), more};
+  return {fmt::format("{:7.4f} {:7.4f} {:7.4f}{}", v.x, v.y, v.z,
+                      seen.alpha ? fmt::format("  a {:6.3f}", *seen.alpha) : std::string(10, ' ')),
+          more};
+}
+
+// By how much a is above b.
+std::string difference_of(const PixelSeen& a, const PixelSeen& b, PixelValue value) {
+  if (value == PixelValue::alpha)
+    return fmt::format("{:+7.4f}", rounded(a.alpha.value_or(1.0f) - b.alpha.value_or(1.0f), 1e-4f));
+  if (value == PixelValue::depth)
+    return std::isfinite(a.depth) && std::isfinite(b.depth) ? fmt::format("{:+.4g} m", a.depth - b.depth)
+                                                            : "";
+  const vec3 apart = a.radiance - b.radiance;
+  std::string text = fmt::format("{:+7.4f} {:+7.4f} {:+7.4f}", rounded(apart.x, 1e-4f),
+                                 rounded(apart.y, 1e-4f), rounded(apart.z, 1e-4f));
+  if (a.alpha && b.alpha) text += fmt::format("  a {:+6.3f}", rounded(*a.alpha - *b.alpha, 1e-3f));
+  return text;
 }
 
 }  // namespace
@@ -50,6 +84,14 @@ std::optional<PixelReadout> read_pixel(const Developed& shown, const Development
   // A quick picture has fewer pixels: the place is told in those of the one at rest.
   readout.pixel = ivec2(at * vec2(picture.scene.width, picture.scene.height));
   if (shown.map_error) readout.map_error = shown.map_error->pixels[*index];
+  const bool alone = !how.solo.empty() || how.solo_ambient;
+  if (!alone && how.layer != "beauty") readout.layer = how.layer;
+  if (shown.map_error)
+    readout.value = PixelValue::map_error;
+  else if (readout.layer == "alpha")
+    readout.value = PixelValue::alpha;
+  else if (readout.layer == "depth")
+    readout.value = PixelValue::depth;
   readout.picture = seen(picture.frame, how, *index);
   if (!how.against || !other_at || shown.map_error || !lacking_layer(how).empty()) return readout;
   const Frame& other = (shown.other ? shown.other : how.against)->frame;
@@ -57,9 +99,9 @@ std::optional<PixelReadout> read_pixel(const Developed& shown, const Development
   if (!other_index) return readout;
   readout.other = seen(other, how, *other_index);
   readout.other_name = other_name;
-  readout.matched = shown.matched;
+  if (shown.figures) readout.matched = shown.figures->matched;
   if (how.against_file && !how.against_file->picture.has_alpha) readout.other->alpha.reset();
-  if (how.against_file && how.matches && !shown.other) readout.matched = "not matched";
+  if (how.against_file && how.matching != Matching{} && !shown.other) readout.matched = "not matched";
   return readout;
 }
 
@@ -69,12 +111,11 @@ std::vector<std::string> readout_lines(const PixelReadout& readout, std::size_t 
   const auto with = [&](std::string line, const std::string& more) {
     return line.size() + more.size() <= columns ? line + more : line;
   };
+  const bool is_named = !readout.layer.empty() && readout.value != PixelValue::map_error;
+  const std::string layer = is_named ? readout.layer + " " : "";
   if (!readout.other) {
-    const std::string value = readout.map_error ? fmt::format("|dT| {:.4f}", *readout.map_error)
-                                                : fmt::format("{:.4f} {:.4f} {:.4f}", picture.radiance.x,
-                                                              picture.radiance.y, picture.radiance.z);
-    return {with(fmt::format("{}   {}   a {:.3f}", place, value, picture.alpha.value_or(1.0f)),
-                 depth_text(picture.depth))};
+    const Words words = words_of(picture, readout, false);
+    return {with(place + "   " + layer + words.value, words.more)};
   }
   constexpr std::size_t longest = 18;  // a name that is left whole
   std::string name = readout.other_name;
@@ -82,17 +123,13 @@ std::vector<std::string> readout_lines(const PixelReadout& readout, std::size_t 
   const std::string difference = "difference";
   const std::size_t wide = std::max(name.size(), difference.size());
   const PixelSeen& other = *readout.other;
-  const vec3 apart = picture.radiance - other.radiance;
-  std::string last = fmt::format("{:<{}} {:+7.4f} {:+7.4f} {:+7.4f}", difference, wide,
-                                 rounded(apart.x, 1e-4f), rounded(apart.y, 1e-4f), rounded(apart.z, 1e-4f));
-  if (other.alpha && picture.alpha)
-    last += fmt::format("  a {:+6.3f}", rounded(*picture.alpha - *other.alpha, 1e-3f));
   const auto line = [&](const std::string& what, const PixelSeen& seen) {
-    return with(fmt::format("{:<{}} {}{}", what, wide, rgb(seen.radiance), alpha_text(seen.alpha)),
-                depth_text(seen.depth));
+    const Words words = words_of(seen, readout, true);
+    return with(fmt::format("{:<{}} {}{}", what, wide, layer, words.value), words.more);
   };
   return {line(place, picture),
-          with(line(name, other), readout.matched.empty() ? "" : "   " + readout.matched), last};
+          with(line(name, other), readout.matched.empty() ? "" : "   " + readout.matched),
+          fmt::format("{:<{}} {}{}", difference, wide, layer, difference_of(picture, other, readout.value))};
 }
 
 }  // namespace plinian::window

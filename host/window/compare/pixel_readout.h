@@ -9,15 +9,20 @@
 
 namespace plinian::window {
 
+/// What a value of the layer is that is seen.
+enum class PixelValue { radiance, alpha, depth, map_error };
+
 struct PixelSeen {
-  vec3 radiance{0.0f};         // [radiance] of the layers that are seen
+  vec3 radiance{0.0f};         // [radiance] of the layers that are seen, where they are of light
   std::optional<float> alpha;  // [-] none where a file has none
   float depth = INFINITY;      // [world] infinite where there is nothing, or where that is not known
   bool operator==(const PixelSeen&) const = default;
 };
 
 struct PixelReadout {
-  ivec2 pixel{0};                  // of the picture at rest, from the upper left
+  ivec2 pixel{0};  // of the picture at rest, from the upper left
+  PixelValue value = PixelValue::radiance;
+  std::string layer;               // that is seen, where it is not the whole: "alpha", "emission"
   PixelSeen picture;               // linear, whatever the display shows
   std::optional<float> map_error;  // [-] where that is what is seen
   std::optional<PixelSeen> other;  // as it was measured: matched, where it was
@@ -31,8 +36,9 @@ struct PixelReadout {
 std::optional<PixelReadout> read_pixel(const Developed& shown, const Development& how, vec2 at,
                                        std::optional<vec2> other_at, const std::string& other_name);
 
-/// A line of the picture; with the other below it one for that, and one for by how much the picture is
-/// above it. columns: [characters] that there are; depths and what was matched give way.
+/// A line of the picture, with the value of the layer that is seen; with the other below it one for that, and
+/// one for by how much the picture is above it. columns: [characters] that there are; depths and what was
+/// matched give way.
 std::vector<std::string> readout_lines(const PixelReadout& readout, std::size_t columns = std::string::npos);
 
 }  // namespace plinian::window

@@ -47,6 +47,7 @@ bool ReferenceImage::update(const std::string& node, const Wanted& wanted,
       auto picture = std::make_shared<FilePicture>();
       picture->picture = read_picture(image, wanted.layer, wanted.colour_space, wanted.exposure);
       picture->name = std::filesystem::path(wanted.path).filename().string();
+      picture->source = wanted.source;
       picture->layers = colour_layers(image);
       outcome.picture = std::move(picture);
     } catch (const std::exception& error) {
@@ -86,6 +87,7 @@ bool ReferenceImages::update(ReferenceImage& image, bool behind) {
       wanted.path = pattern->path(int(graph::number_of(value("time"))));
     wanted.layer = std::get<std::string>(value("layer"));
     wanted.colour_space = colour_spaces[int(graph::number_of(value("colour_space")))];
+    wanted.source = file + " " + wanted.colour_space;
     wanted.exposure = float(graph::number_of(value("exposure")));
   } catch (const std::runtime_error& error) {
     image.node_ = found->name;

@@ -19,6 +19,7 @@ namespace plinian::window {
 struct FilePicture {
   ReadPicture picture;
   std::string name;                 // "ref.0012.exr"
+  std::string source;               // as the scene names it, and its colours; one for a whole sequence
   std::vector<std::string> layers;  // that it could show instead
 };
 using FilePicturePtr = std::shared_ptr<const FilePicture>;
@@ -35,7 +36,7 @@ class ReferenceImage {
  private:
   friend class ReferenceImages;
   struct Wanted {
-    std::string path, layer, colour_space;
+    std::string path, source, layer, colour_space;
     float exposure = 0.0f;
     std::int64_t modified_ns = 0, bytes = -1;  // of the file
     bool operator==(const Wanted&) const = default;

@@ -81,6 +81,7 @@ ReadPicture read_picture(const Image& image, const std::string& layer, const std
     return v * gain;
   };
   ReadPicture read;
+  read.is_scene_linear = colour_space == "linear" || (colour_space == "auto" && !image.display_referred);
   Frame& frame = read.frame;
   frame.width = image.width;
   frame.height = image.height;
@@ -119,7 +120,11 @@ ReadPicture read_picture(const Image& image, const std::string& layer, const std
   return read;
 }
 
-Match match(const Frame& picture, vec3 background, const ReadPicture& other) {
+Matching usual_matching(const ReadPicture& other) {
+  return {!other.is_scene_linear, other.has_alpha};
+}
+
+Match match(const Frame& picture, vec3 background, const ReadPicture& other, Matching matching) {
   Match matched;
   matched.frame = other.frame;
   Frame& frame = matched.frame;
@@ -127,7 +132,7 @@ Match match(const Frame& picture, vec3 background, const ReadPicture& other) {
   constexpr float negligible = 2e-3f;
   if (other.has_alpha)
     for (std::size_t i = 0; i < pixels; ++i) {
-      const vec3 wanted = background * frame.transmittance[i];
+      const vec3 wanted = matching.background ? background * frame.transmittance[i] : frame.background[i];
       const vec3 change = glm::abs(wanted - frame.background[i]);
       if (glm::max(change.x, glm::max(change.y, change.z)) > negligible) matched.background = true;
       frame.beauty[i] -= frame.background[i];
@@ -142,7 +147,7 @@ Match match(const Frame& picture, vec3 background, const ReadPicture& other) {
     product += ab;
     square += bb;
   }
-  if (product > 0.0 && square > 0.0) {
+  if (matching.exposure && product > 0.0 && square > 0.0) {
     matched.stops = float(std::log2(product / square));
     const float gain = float(product / square);
     for (vec3& colour : frame.beauty) colour *= gain;
@@ -154,8 +159,9 @@ Match match(const Frame& picture, vec3 background, const ReadPicture& other) {
 
 std::string Match::text() const {
   std::string words;
-  if (stops && std::abs(*stops) >= 0.005f) words = fmt::format("exposure {:+.2f}", *stops);
-  if (background) words += words.empty() ? "background" : ", background";
+  // Also where it is nothing: that it was looked for hides what comes later.
+  if (stops) words = fmt::format("matched by {:+.2f} EV", std::abs(*stops) < 0.005f ? 0.0f : *stops);
+  if (background) words += words.empty() ? "over this background" : ", over this background";
   return words;
 }
 

@@ -19,6 +19,7 @@ struct ReadPicture {
                 // ambient, emission and lights of the layers that have a colour
   bool has_alpha = false;                          // else the transmittance is 0 everywhere
   bool has_ambient = false, has_emission = false;  // likewise
+  bool is_scene_linear = false;                    // its exposure was not lost in a view
 };
 
 /// layer: one of colour_layers, or empty. colour_space: auto, linear, srgb. exposure: [stops] on all of it.
@@ -27,17 +28,28 @@ struct ReadPicture {
 ReadPicture read_picture(const Image& image, const std::string& layer, const std::string& colour_space,
                          float exposure);
 
+/// What a picture from a file is rid of before it is measured.
+struct Matching {
+  bool exposure = false, background = false;
+  bool operator==(const Matching&) const = default;
+};
+
+/// What tells nothing of a medium and its light: what is behind it, where an alpha says how much of that is
+/// seen, and the exposure of what went through a view. That of scene-linear radiance is looked for.
+Matching usual_matching(const ReadPicture& other);
+
 struct Match {
-  Frame frame;                 // the other picture as it is measured
-  std::optional<float> stops;  // [stops] it was made brighter by; none where that could not be told
-  bool background = false;     // the picture's stands behind it in place of its own
-  /// "exposure +0.31, background" or "" where nothing had to be done.
+  Frame frame;  // the other picture as it is measured
+  std::optional<float>
+      stops;                // [EV] it was made brighter by; none where it was not, or that could not be told
+  bool background = false;  // the picture's stands behind it in place of its own
+  /// "matched by +0.31 EV, over this background" or "" where nothing was done.
   std::string text() const;
 };
 
-/// Makes another picture differ from `picture` in nothing that is a matter of how it was put out: puts the
-/// picture's background [radiance] behind it (where it has an alpha) and gives it the exposure at which the
-/// sum of squared differences of radiance is least. Both of one size.
-Match match(const Frame& picture, vec3 background, const ReadPicture& other);
+/// Makes another picture differ from `picture` in nothing that is a matter of how it was put out, of what is
+/// asked for: puts the picture's background [radiance] behind it (where it has an alpha) and gives it the
+/// exposure at which the sum of squared differences of radiance is least. Both of one size.
+Match match(const Frame& picture, vec3 background, const ReadPicture& other, Matching matching);
 
 }  // namespace plinian::window

@@ -186,7 +186,10 @@ void act(Studio& studio, Action action) {
       studio.ask_playblast = true;
       return;
     case Action::probe:
-      studio.inspector.on = !studio.inspector.on;
+      // Where it is behind the console it is wanted back.
+      studio.inspector.on =
+          !studio.inspector.on || (studio.inspector.is_docked && studio.inspector.is_behind);
+      studio.inspector.is_behind = false;
       return;
     case Action::set_key:
       return key_selection(studio);
@@ -200,10 +203,12 @@ void act(Studio& studio, Action action) {
       studio.focus_console = true;
       studio.show_nodes = false;
       studio.show_panels = true;
+      studio.inspector.is_behind = true;
       return;
     case Action::node_editor:
-      studio.show_nodes = !studio.show_nodes || !studio.show_panels;
+      studio.show_nodes = !studio.show_nodes || !studio.show_panels || studio.inspector.is_beneath();
       studio.show_panels = true;
+      studio.inspector.is_behind = true;
       return;
     case Action::palette:
       studio.show_palette = true;

@@ -12,8 +12,6 @@ class PictureZoom {
 
   float factor() const;  // [-] 1 to 32
   bool is_on() const { return steps_ > 0; }
-  /// Whether pixels are told apart, and shown as squares.
-  bool shows_squares() const { return steps_ >= 4; }
   vec2 centre() const { return centre_; }  // [-] of the picture's sides
 
   /// Where the picture lies that would lie at `whole`. [points]

@@ -27,8 +27,10 @@ std::vector<PaletteEntry> menu_entries() {
   add("set the gate", "to the size of the reference", [](Studio& s) {
     if (const auto size = s.comparison.wanted_size()) s.set_gate(*size);
   });
-  add("match exposure and background", "of a reference from a file",
-      [](Studio& s) { s.development.matches ^= true; });
+  add("match exposure", "of a reference from a file, before it is measured",
+      [](Studio& s) { s.development.matching.exposure ^= s.development.against_file != nullptr; });
+  add("match background", "put this one behind a reference from a file that has an alpha",
+      [](Studio& s) { s.development.matching.background ^= s.development.against_file != nullptr; });
   add("compare with the reference", "the picture from a file that the scene has",
       [](Studio& s) { s.comparison.want_file(); });
   add("compare with nothing", "let go of the other picture",

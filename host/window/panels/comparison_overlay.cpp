@@ -20,6 +20,11 @@ std::string size_text(ivec2 size) {
   return fmt::format("{}x{}", size.x, size.y);
 }
 
+// Not that of another one, which was compared before.
+bool is_held_against(const DevelopedPtr& shown, const Comparison& comparison) {
+  return shown && shown->against == comparison.other;
+}
+
 }  // namespace
 
 void ComparisonOverlay::take_picture(Studio& studio, const DevelopedPtr& shown) {
@@ -31,8 +36,8 @@ void ComparisonOverlay::take_picture(Studio& studio, const DevelopedPtr& shown) 
     return;
   }
   // As it was matched, where it was.
-  const bool matched =
-      shown && shown->other && comparison.kind == OtherKind::file && comparison.mode() != CompareMode::off;
+  const bool matched = is_held_against(shown, comparison) && shown->other &&
+                       comparison.kind == OtherKind::file && comparison.mode() != CompareMode::off;
   const ViewPicturePtr other = matched ? shown->other : comparison.other;
   Development plain = studio.development;
   plain.against = nullptr;
@@ -106,49 +111,52 @@ void ComparisonOverlay::draw_whole(const PaneRect& place, const PaneRect& room) 
   add_image(texture_.name(), picture, room);
 }
 
-std::vector<std::string> comparison_lines(const Studio& studio, const DevelopedPtr& shown) {
+std::vector<ComparisonLine> comparison_lines(const Studio& studio, const DevelopedPtr& shown) {
   const Comparison& comparison = studio.comparison;
-  std::vector<std::string> lines;
+  std::vector<ComparisonLine> lines;
+  const auto say = [&](std::string text, bool is_old = false) { lines.push_back({std::move(text), is_old}); };
   for (const ReferenceImage* image : {&comparison.images.reference, &comparison.images.plate})
-    if (!image->problem().empty()) lines.push_back(image->problem());
+    if (!image->problem().empty()) say(image->problem());
   if (const auto share = comparison.reference_share())
-    lines.push_back(fmt::format("rendering the reference: {:.0f} %", 100.0 * *share));
+    say(fmt::format("rendering the reference: {:.0f} %", 100.0 * *share));
   if (!comparison.other) return lines;
+  const bool is_held = is_held_against(shown, comparison);
   const bool is_on = comparison.mode() != CompareMode::off;
   if (const auto wanted = comparison.wanted_size(); wanted && studio.feed.snapshot()) {
     const SceneSnapshot& scene = studio.feed.snapshot()->snapshot;
     const ivec2 gate(scene.width, scene.height);
     if (gate != *wanted)
-      lines.push_back(fmt::format("{} is {}, the gate {}: set the gate to {} to measure", comparison.name,
-                                  size_text(*wanted), size_text(gate), size_text(*wanted)));
+      say(fmt::format("{} is {}, the gate {}: set the gate to {} to measure", comparison.name,
+                      size_text(*wanted), size_text(gate), size_text(*wanted)));
     else if (studio.viewpoint.look.free && is_on)
-      lines.push_back("C looks through the scene's camera, to measure against " + comparison.name);
+      say("C looks through the scene's camera, to measure against " + comparison.name);
   } else if (is_on && comparison.kind == OtherKind::rendered && studio.is_other_old()) {
-    lines.push_back("the reference is of another scene or view: Shift+R renders it anew");
-  } else if (is_on && shown && !shown->psnr && !shown->picture->quick) {
+    say("the reference is of another scene or view: Shift+R renders it anew");
+  } else if (is_on && is_held && !shown->figures && !shown->picture->quick) {
     const ivec2 size(comparison.other->frame.width, comparison.other->frame.height);
-    lines.push_back(fmt::format("{} is {}, the picture {}x{}: give the pane its old size to measure",
-                                comparison.name, size_text(size), shown->width, shown->height));
+    say(fmt::format("{} is {}, the picture {}x{}: give the pane its old size to measure", comparison.name,
+                    size_text(size), shown->width, shown->height));
   }
-  if (is_on && shown && !shown->lacks.empty())
-    lines.push_back(
-        fmt::format("{} has no layer '{}' to be measured against", comparison.name, shown->lacks));
-  if (shown && shown->psnr) {
-    // What is not at rest yet comes nearer by itself.
-    const char* about = shown->picture->at_rest ? "" : "~ ";
-    std::string figures =
-        std::isfinite(*shown->psnr) ? fmt::format("{}{:.1f} dB", about, *shown->psnr) : "identical";
-    figures = fmt::format("against {}: {}   {}SSIM {:.4f}", comparison.name, figures, about, *shown->ssim);
-    if (shown->flip) figures += fmt::format("   FLIP {:.4f}", *shown->flip);
-    if (comparison.mode() == CompareMode::difference) figures = "4 x difference   " + figures;
-    lines.push_back(figures);
-    // What to turn when a picture is to be met: light where all are off, colours where one is.
-    if (const auto& b = shown->balance)
-      lines.push_back(fmt::format("brightness, this / {}:   R {:.2f}   G {:.2f}   B {:.2f}", comparison.name,
-                                  b->x, b->y, b->z));
-    if (!shown->matched.empty())
-      lines.push_back("matched before measuring: " + shown->matched + " (Compare > Match)");
-  }
+  if (is_on && is_held && !shown->lacks.empty())
+    say(fmt::format("{} has no layer '{}' to be measured against", comparison.name, shown->lacks));
+  if (!is_held || !shown->figures) return lines;
+  const Figures& figures = *shown->figures;
+  // What is not at rest yet comes nearer by itself.
+  const bool old = shown->has_old_figures;
+  const char* about = shown->picture->at_rest && !old ? "" : "~ ";
+  std::string text = std::isfinite(figures.psnr) ? fmt::format("{}{:.1f} dB", about, figures.psnr)
+                                                 : fmt::format("{}identical", about);
+  text = fmt::format("against {}: {}   {}SSIM {:.4f}", comparison.name, text, about, figures.ssim);
+  if (figures.flip) text += fmt::format("   {}FLIP {:.4f}", about, *figures.flip);
+  if (comparison.mode() == CompareMode::difference) text = "4 x difference   " + text;
+  say(text, old);
+  // What to turn when a picture is to be met: light where all are off, colours where one is.
+  if (const auto& b = figures.balance)
+    say(fmt::format("{}brightness, this / {}:   R {:.2f}   G {:.2f}   B {:.2f}   ({:+.2f} EV)", about,
+                    comparison.name, b->x, b->y, b->z,
+                    std::log2(std::max((b->x + b->y + b->z) / 3.0f, 1e-6f))),
+        old);
+  if (!figures.matched.empty()) say(comparison.name + " is " + figures.matched + " (Compare > Match)", old);
   return lines;
 }
 
@@ -177,15 +185,18 @@ void ComparisonOverlay::show_lines(const Studio& studio, const PaneRect& pane, c
   const bool is_now = mode == CompareMode::flicker && !comparison.is_others_turn();
   const bool is_named =
       mode == CompareMode::wipe || mode == CompareMode::side_by_side || mode == CompareMode::flicker;
-  const std::string label = !is_named ? "" : is_now ? "now" : comparison.name;
+  std::string label = !is_named ? "" : is_now ? "now" : comparison.name;
+  // What is looked at is not what is in the file.
+  if (is_named && !is_now && is_held_against(shown, comparison) && shown->figures)
+    if (const std::string& matched = shown->figures->matched; !matched.empty()) label += ", " + matched;
   vec2 label_at = common(places.other, places.other_room).begin + corner;
-  const float badge = zoom_badge_width(studio), badge_end = pane.begin.x + corner.x + badge;
+  const float badge = zoom_badge_width(places), badge_end = pane.begin.x + corner.x + badge;
   if (badge > 0.0f) label_at.x = std::max(label_at.x, badge_end);
   if (is_named) draw_text(label_at, is_now ? colour::faint_text : colour::text, label);
   const float label_end = is_named ? label_at.x + ImGui::CalcTextSize(label.c_str()).x + corner.x : badge_end;
   const float row = ImGui::GetTextLineHeight() + scaled(3);
   vec2 at(pane.begin.x + pane.size.x - corner.x, pane.begin.y + corner.y);
-  for (const std::string& line : comparison_lines(studio, shown)) {
+  for (const auto& [line, is_old] : comparison_lines(studio, shown)) {
     const float width = ImGui::CalcTextSize(line.c_str()).x;
     // In a narrow pane the lines come below the label and the badge.
     if ((is_named || badge > 0.0f) && at.x - width < label_end && std::abs(at.y - label_at.y) < row)
@@ -197,7 +208,7 @@ void ComparisonOverlay::show_lines(const Studio& studio, const PaneRect& pane, c
     ImGui::GetWindowDrawList()->AddRectFilled(
         to_im(text_at - margin), to_im(text_at + vec2(width, ImGui::GetTextLineHeight()) + margin), veil,
         scaled(3));
-    draw_text(text_at, colour::text, line);
+    draw_text(text_at, is_old ? colour::faint_text : colour::text, line);
     at.y += row;
   }
   bottom_ = at.y;

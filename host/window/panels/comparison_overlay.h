@@ -35,7 +35,12 @@ class ComparisonOverlay {
   vec2 grabbed_{0.0f};  // [points] from the line's middle to the mouse
 };
 
-/// What there is to say of the comparison, a line each: figures, what was matched, what stands in the way.
-std::vector<std::string> comparison_lines(const Studio& studio, const DevelopedPtr& shown);
+struct ComparisonLine {
+  std::string text;
+  bool is_old = false;  // of a picture that was seen before
+};
+
+/// What there is to say of the comparison: figures, what was matched, what stands in the way.
+std::vector<ComparisonLine> comparison_lines(const Studio& studio, const DevelopedPtr& shown);
 
 }  // namespace plinian::window

@@ -134,6 +134,7 @@ FileTable::Doing FileTable::show(Trace& trace, FileBrowser& browser, vec2 size) 
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ImGui::GetColorU32(ImGuiCol_WindowBg));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
   ImGui::BeginChild("##table", {size.x, size.y}, true, ImGuiWindowFlags_NoScrollbar);
+  ImGui::PopStyleVar();  // tooltips have their own
   const float width = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize;
   show_headings(trace, browser, width);
   ImGui::BeginChild("##rows", {0.0f, 0.0f}, false);
@@ -169,7 +170,6 @@ FileTable::Doing FileTable::show(Trace& trace, FileBrowser& browser, vec2 size) 
   ImGui::PopStyleVar();
   ImGui::EndChild();
   ImGui::EndChild();
-  ImGui::PopStyleVar();
   ImGui::PopStyleColor();
   return doing;
 }

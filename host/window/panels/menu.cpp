@@ -121,8 +121,15 @@ void compare_menu(Studio& studio) {
   way("Flicker by hand", Action::flicker_turn, CompareMode::flicker);
   way("Difference", Action::difference, CompareMode::difference);
   way("FLIP", Action::flip, CompareMode::flip);
-  ImGui::MenuItem("Match exposure and background", "", &studio.development.matches,
-                  comparison.kind == OtherKind::file);
+  const FilePicturePtr& compared = studio.development.against_file;
+  Matching& matching = studio.development.matching;
+  ImGui::MenuItem("Match exposure", "", &matching.exposure, compared != nullptr);
+  note_item(studio.trace, "match exposure");
+  help(
+      "Gives the picture from a file the exposure at which it is least apart, and says which. Hides how far "
+      "the light is off.");
+  ImGui::MenuItem("Match background", "", &matching.background, compared && compared->picture.has_alpha);
+  help("Puts this picture's background behind a file that has an alpha.");
   ImGui::Separator();
   item(studio, "Probe a pixel", Action::probe, true, studio.inspector.on);
   ImGui::MenuItem("Snapshots", "", &studio.show_snapshots);

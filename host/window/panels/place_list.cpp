@@ -71,6 +71,7 @@ std::optional<fs::path> PlaceList::show(Trace& trace, const fs::path& here, vec2
   std::optional<fs::path> forgotten;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
   ImGui::BeginChild("##places", {size.x, size.y}, true);
+  ImGui::PopStyleVar();  // tooltips have their own
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0f, 0.0f));
   group("Places");
   for (const Place& place : places_.fixed)
@@ -101,7 +102,6 @@ std::optional<fs::path> PlaceList::show(Trace& trace, const fs::path& here, vec2
   }
   ImGui::PopStyleVar();
   ImGui::EndChild();
-  ImGui::PopStyleVar();
   if (added) bookmarks_.add(here);
   if (forgotten) bookmarks_.remove(*forgotten);
   if (added || forgotten) gather();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "host/window/panels/bottom_tabs.h"
 #include "host/window/panels/curve_plot.h"
 #include "host/window/panels/overlay_text.h"
 #include "host/window/panels/widgets.h"
@@ -47,6 +48,7 @@ void ProbePanel::choose(Studio& studio, const PicturePlaces& places, const PaneR
   if (!ImGui::IsMouseDown(0) || !inspector.on) held_ = false;
   if (inspector.on && free && ImGui::IsMouseClicked(0) && !io.KeyAlt && !studio.light_key_held) {
     held_ = true;
+    inspector.is_behind = false;
     way_ = places.way_to_picture(mouse);
   }
   if (held_) {
@@ -118,10 +120,11 @@ void ProbePanel::show_light_ray(const Inspection& inspection, vec2 size) {
       "rebuilt from the map's coefficients. Dotted: the threshold at which light counts as dead.");
 }
 
-void ProbePanel::show_header(Studio& studio, const Inspection& found) {
+// left: [points] where it begins in the window.
+void ProbePanel::show_header(Studio& studio, const Inspection& found, float left) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("pixel %d %d", found.question.pixel.x, found.question.pixel.y);
-  const float whole = ImGui::GetContentRegionAvail().x, mark = scaled(16);
+  const float whole = ImGui::GetWindowContentRegionMax().x, mark = scaled(16);
   if (studio.inspector.spot) {
     ImGui::SameLine(whole - mark);
     if (show_changed_dot(mark, "Dragged; click to have the card lie where it hides least.")) {
@@ -131,8 +134,9 @@ void ProbePanel::show_header(Studio& studio, const Inspection& found) {
     note_item(studio.trace, "probe card reset");
   }
   if (!found.light) return;
-  ImGui::SameLine(scaled(130));
-  ImGui::SetNextItemWidth(std::min(scaled(140), whole - scaled(130) - mark));
+  const float light = left + scaled(122);
+  ImGui::SameLine(light);
+  ImGui::SetNextItemWidth(std::max(scaled(40), std::min(scaled(140), whole - light - mark)));
   if (ImGui::BeginCombo("##light", found.light->light.c_str())) {
     for (const std::string& name : found.lights)
       if (ImGui::Selectable(name.c_str(), name == found.light->light)) studio.inspector.light = name;
@@ -213,9 +217,40 @@ void ProbePanel::drag_card(Studio& studio) {
   spot = {glm::clamp((mouse - *grabbed_) / room, vec2(0.0f), vec2(1.0f)), card_.place.size / scaled(1)};
 }
 
+// From where the cursor is. header: [points] where that is in the window.
+void ProbePanel::show_found(Studio& studio, float header) {
+  const Inspector& inspector = studio.inspector;
+  const InspectionPtr found = inspector.place ? inspector.inspection() : nullptr;
+  const bool has_curves = found && found->error.empty() && !found->view.samples.empty();
+  ImGui::AlignTextToFramePadding();
+  if (!found) {
+    ImGui::TextDisabled("Click in the picture to probe a pixel.");
+  } else if (!has_curves) {
+    ImGui::TextWrapped("%s",
+                       found->error.empty() ? "The pixel's ray meets no medium." : found->error.c_str());
+  } else {
+    show_header(studio, *found, header);
+    show_curves(studio, *found);
+    if (found->light && found != told_.lock())
+      studio.trace.note(fmt::format("probe {} {} at {:.6g} {} exact {:.5f} map {:.5f}",
+                                    found->question.pixel.x, found->question.pixel.y, found->t,
+                                    found->light->light, mean(found->light->exact), mean(found->light->map)));
+    told_ = found;
+  }
+}
+
+void ProbePanel::show_beneath(Studio& studio, const PaneRect& pane) {
+  begin_pane("##probe beneath", pane, false);
+  show_bottom_tabs(studio);
+  card_ = {pane, pane.size.x > 1.5f * pane.size.y};
+  studio.trace.item("probe", pane.begin, pane.size);
+  show_found(studio, ImGui::GetCursorPosX());
+  end_pane();
+}
+
 void ProbePanel::show(Studio& studio, const PaneRect& room, const PaneRect& taken, const Frame* frame) {
   Inspector& inspector = studio.inspector;
-  if (!inspector.on) return;
+  if (!inspector.on || inspector.is_docked) return;
   const InspectionPtr found = inspector.place ? inspector.inspection() : nullptr;
   const bool has_curves = found && found->error.empty() && !found->view.samples.empty();
   if (room.size.x < scaled(160) || room.size.y < scaled(80)) return;
@@ -240,20 +275,7 @@ void ProbePanel::show(Studio& studio, const PaneRect& room, const PaneRect& take
                    ImGuiWindowFlags_NoFocusOnAppearing);
   ImGui::PopStyleColor();
   studio.trace.item("probe", card.begin, card.size);
-  if (!found) {
-    ImGui::TextDisabled("Click in the picture to probe a pixel.");
-  } else if (!has_curves) {
-    ImGui::TextWrapped("%s",
-                       found->error.empty() ? "The pixel's ray meets no medium." : found->error.c_str());
-  } else {
-    show_header(studio, *found);
-    show_curves(studio, *found);
-    if (found->light && found != told_.lock())
-      studio.trace.note(fmt::format("probe {} {} at {:.6g} {} exact {:.5f} map {:.5f}",
-                                    found->question.pixel.x, found->question.pixel.y, found->t,
-                                    found->light->light, mean(found->light->exact), mean(found->light->map)));
-    told_ = found;
-  }
+  show_found(studio, ImGui::GetCursorPosX());
   drag_card(studio);
   ImGui::End();
 }

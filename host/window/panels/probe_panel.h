@@ -13,9 +13,12 @@ class ProbePanel {
   /// probe is on. shown: [points] where the picture is; free: the mouse is in the viewport, and nobody
   /// else's. Marks the pixel.
   void choose(Studio& studio, const PicturePlaces& places, const PaneRect& shown, bool free);
-  /// The curves, on a card. room: [points] of the pane, that nobody else writes in; taken: what of it is
-  /// better left free, too. frame: of the picture that is shown, or null.
+  /// The curves, on a card over the picture, unless they are beneath it. room: [points] of the pane, that
+  /// nobody else writes in; taken: what of it is better left free, too. frame: of the picture that is shown,
+  /// or null.
   void show(Studio& studio, const PaneRect& room, const PaneRect& taken, const Frame* frame);
+  /// ... in the pane there.
+  void show_beneath(Studio& studio, const PaneRect& pane);
   /// Whether the mouse is choosing.
   bool is_held() const { return held_; }
 
@@ -28,7 +31,8 @@ class ProbePanel {
   };
   void settle_card(const Studio& studio, const PaneRect& room, const PaneRect& taken, const Frame* frame);
   void drag_card(Studio& studio);
-  void show_header(Studio& studio, const Inspection& found);
+  void show_found(Studio& studio, float header);
+  void show_header(Studio& studio, const Inspection& found, float left);
   void show_curves(Studio& studio, const Inspection& found);
   void show_view_ray(Studio& studio, const Inspection& inspection, vec2 size);
   void show_light_ray(const Inspection& inspection, vec2 size);

@@ -7,6 +7,8 @@ namespace plinian::window {
 
 namespace {
 
+constexpr vec2 upright_size(340.0f, 312.0f), wide_size(600.0f, 146.0f);  // [points] at a scale of 1
+
 // Alpha under the card, summed. [points^2]
 double hidden(const PaneRect& card, const std::function<float(vec2)>& smoke) {
   constexpr int steps = 16;  // along each side
@@ -19,9 +21,17 @@ double hidden(const PaneRect& card, const std::function<float(vec2)>& smoke) {
 
 }  // namespace
 
+bool is_better_beneath(const PaneRect& pane, const PaneRect& bottom, float scale) {
+  constexpr float most = 0.25f;  // [-] of the pane, that an upright card may take
+  constexpr vec2 least(240.0f, 110.0f);
+  const vec2 card = upright_size * scale;
+  const bool is_small = card.x * card.y > most * pane.size.x * pane.size.y || card.y > 0.6f * pane.size.y;
+  return is_small && bottom.size.x >= least.x * scale && bottom.size.y >= least.y * scale;
+}
+
 std::vector<ProbeCard> probe_cards(const PaneRect& room, float scale) {
-  const vec2 upright = glm::min(vec2(340.0f, 312.0f) * scale, room.size),
-             wide = glm::min(vec2(600.0f, 146.0f) * scale, room.size * vec2(1.0f, 0.42f));
+  const vec2 upright = glm::min(upright_size * scale, room.size),
+             wide = glm::min(wide_size * scale, room.size * vec2(1.0f, 0.42f));
   const auto at = [&](vec2 size, vec2 share) {
     return PaneRect{room.begin + (room.size - size) * share, size};
   };

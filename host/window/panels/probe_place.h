@@ -1,4 +1,5 @@
-// Where the probe's card lies: where it hides least of the smoke, and never the pixel that it is about.
+// Where the probe's card lies: where it hides least of the smoke, and never the pixel that it is about; where
+// it would hide much of a small picture, beneath that, in place of the console.
 #pragma once
 
 #include <functional>
@@ -13,6 +14,9 @@ struct ProbeCard {
   PaneRect place;     // [points]
   bool wide = false;  // its plots stand side by side, not one over the other
 };
+
+/// Whether it is to lie beneath the picture. pane: of the picture, bottom: beneath it [points]
+bool is_better_beneath(const PaneRect& pane, const PaneRect& bottom, float scale);
 
 /// Those that there is room for: upright in the corners where they leave half of the room free, wide along
 /// its lower and upper edge. scale: of the interface [-]. At least one.

@@ -39,7 +39,6 @@ void SnapshotStrip::show(Studio& studio, const PaneRect& pane) {
   ImGui::SetNextWindowBgAlpha(0.0f);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(scaled(2), scaled(2)));
   // Where there is nothing, the picture beneath is what the mouse has.
   float width = 0.0f;
   for (const Snapshot& snapshot : all)
@@ -54,6 +53,7 @@ void SnapshotStrip::show(Studio& studio, const PaneRect& pane) {
   ImGui::Begin("##snapshots", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::PopStyleVar(2);  // tooltips and menus have their own
   std::string forget;
   for (const Snapshot& snapshot : all) {
     if (!snapshot.thumbnail) continue;
@@ -66,7 +66,8 @@ void SnapshotStrip::show(Studio& studio, const PaneRect& pane) {
     ImGui::PushID(snapshot.name.c_str());
     ImGui::BeginGroup();
     ImGui::PushStyleColor(ImGuiCol_Button, compared ? colour::accent : 0xff303030);
-    if (ImGui::ImageButton(ImTextureID(std::intptr_t(texture->name())), {wide, height})) {
+    if (ImGui::ImageButton(ImTextureID(std::intptr_t(texture->name())), {wide, height}, {0.0f, 0.0f},
+                           {1.0f, 1.0f}, int(scaled(2)))) {
       if (compared) {
         studio.comparison.keep(nullptr, "", OtherKind::none);
       } else {
@@ -96,7 +97,6 @@ void SnapshotStrip::show(Studio& studio, const PaneRect& pane) {
     ImGui::SameLine(0.0f, scaled(4));
   }
   ImGui::End();
-  ImGui::PopStyleVar(3);
   if (!forget.empty()) {
     if (studio.comparison.name == forget) studio.comparison.keep(nullptr, "", OtherKind::none);
     studio.run("deleteSnapshot " + graph::quote(forget));

@@ -9,6 +9,27 @@
 
 namespace plinian::window {
 
+namespace {
+
+// What has to be there before the next picture comes.
+std::string awaited(Studio& studio) {
+  if (!studio.commands.job.what.empty()) return studio.commands.job.what;
+  if (studio.feed.is_computing()) return "computing " + studio.feed.progress().what;
+  const bool failed = !studio.feed.problems().empty() || !studio.renderer.status().error.empty();
+  return failed || studio.is_picture_there() ? "" : "rendering";
+}
+
+}  // namespace
+
+std::string state_of(const ViewPicture& picture, const std::string& awaits) {
+  if (picture.quick) return "quick";
+  if (!picture.at_rest)
+    return fmt::format("pass {} of {} at most", picture.passes, picture.scene.quality.view.passes);
+  if (picture.passes > 0) return fmt::format("at rest, {} passes", picture.passes);
+  // Of an empty scene; "at rest" would be taken for the end of what is only about to be seen.
+  return awaits.empty() ? "nothing to see" : awaits;
+}
+
 void show_status(Studio& studio, const PaneRect& pane) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(scaled(10), scaled(2)));
   begin_pane("##status", pane, false);
@@ -20,12 +41,9 @@ void show_status(Studio& studio, const PaneRect& pane) {
   float right = pane.begin.x + pane.size.x;
   const ViewPicturePtr picture = studio.picture();
   if (picture) {
-    const std::string text = fmt::format(
-        "{}   {} x {}   {}", picture->scene.quality.name, picture->frame.width, picture->frame.height,
-        picture->quick ? "quick"
-        : picture->at_rest
-            ? fmt::format("at rest, {} passes", picture->passes)
-            : fmt::format("pass {} of {} at most", picture->passes, picture->scene.quality.view.passes));
+    const std::string text =
+        fmt::format("{}   {} x {}   {}", picture->scene.quality.name, picture->frame.width,
+                    picture->frame.height, state_of(*picture, awaited(studio)));
     const float width = ImGui::CalcTextSize(text.c_str()).x;
     right -= width + scaled(30);
     ImGui::SetCursorPosX(pane.size.x - width - scaled(10));

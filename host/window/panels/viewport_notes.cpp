@@ -15,10 +15,11 @@
 namespace plinian::window {
 
 // What there is to say about the picture, in its corners.
-void show_notes(Studio& studio, const PaneRect& pane, const DevelopedPtr& shown) {
+void show_notes(Studio& studio, const PicturePlaces& places, const PaneRect& pane,
+                const DevelopedPtr& shown) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float line = ImGui::GetTextLineHeight() + scaled(3);
-  vec2 at = pane.begin + vec2(scaled(10) + zoom_badge_width(studio), scaled(8));
+  vec2 at = pane.begin + vec2(scaled(10) + zoom_badge_width(places), scaled(8));
   const std::vector<std::string>& problems = studio.feed.problems();
   const std::string render_error = studio.renderer.status().error;
   for (const std::string& problem : problems) {

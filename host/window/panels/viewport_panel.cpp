@@ -66,14 +66,15 @@ void ViewportPanel::take_picture(Studio& studio) {
   comparison_.take_picture(studio, shown);
   if (!shown || shown == before || !studio.trace.is_on()) return;
   const ViewPicture& p = *shown->picture;
-  studio.trace.note(fmt::format("picture {} {}x{} passes {} {} {:.0f} ms maps {:.0f} view {:.0f}{}", p.number,
-                                shown->width, shown->height, p.passes,
-                                p.is_played ? "played"
-                                : p.quick   ? "quick"
-                                : p.at_rest ? "rest"
-                                            : "refining",
-                                p.render_ms, p.stats.map_ms, p.stats.view_ms,
-                                shown->psnr ? fmt::format(" psnr {:.1f}", *shown->psnr) : ""));
+  studio.trace.note(fmt::format(
+      "picture {} {}x{} passes {} {} {:.0f} ms maps {:.0f} view {:.0f}{}", p.number, shown->width,
+      shown->height, p.passes,
+      p.is_played ? "played"
+      : p.quick   ? "quick"
+      : p.at_rest ? "rest"
+                  : "refining",
+      p.render_ms, p.stats.map_ms, p.stats.view_ms,
+      shown->figures && !shown->has_old_figures ? fmt::format(" psnr {:.1f}", shown->figures->psnr) : ""));
 }
 
 namespace {
@@ -108,7 +109,8 @@ void ViewportPanel::show_image(Drawings& drawings, const PicturePlaces& places, 
 void ViewportPanel::show(Studio& studio, Drawings& drawings, const PaneRect& pane, double pixel_ratio) {
   const vec2 size = settle_size(studio, pane, pixel_ratio);
   const auto place = [&] {
-    return picture_places(pane, size, studio.comparison.mode() == CompareMode::side_by_side, scaled(4),
+    return picture_places(pane, size, studio.picture_size.x,
+                          studio.comparison.mode() == CompareMode::side_by_side, scaled(4),
                           studio.viewpoint.zoom, float(pixel_ratio));
   };
   take_picture(studio);
@@ -158,11 +160,11 @@ void ViewportPanel::show(Studio& studio, Drawings& drawings, const PaneRect& pan
   probe_.choose(studio, places, shown, free);
   hand_.move(studio, places.picture, free);
   comparison_.show_lines(studio, pane, places, texture_.shown());
-  show_notes(studio, pane, texture_.shown());
+  show_notes(studio, places, pane, texture_.shown());
   show_map_error(studio, texture_.shown(), pane);
   pixel_.show(studio, texture_.shown(), places, shown, pane, hovered);
   ImGui::End();
-  show_zoom_badge(studio, pane);
+  show_zoom_badge(studio, places, pane);
   snapshots_.show(studio, above);
   // Between what is written along the edges.
   const float top = std::max(pane.begin.y + scaled(34), comparison_.bottom() + scaled(6));

@@ -21,6 +21,8 @@ namespace plinian::window {
 class ViewportPanel {
  public:
   void show(Studio& studio, Drawings& drawings, const PaneRect& pane, double pixel_ratio);
+  /// What the probe found, in a pane beneath; after show.
+  void show_probe(Studio& studio, const PaneRect& pane) { probe_.show_beneath(studio, pane); }
 
  private:
   vec2 settle_size(Studio& studio, const PaneRect& pane, double pixel_ratio) const;

@@ -15,9 +15,9 @@ namespace plinian::window {
 
 namespace {
 
-// Two digits tell all steps apart.
-std::string zoom_text(const PictureZoom& zoom) {
-  return fmt::format("{:.2g}x", zoom.factor());
+// Of its own pixels, whatever they have to be shrunk by to fit the pane.
+std::string badge_text(const PicturePlaces& places) {
+  return fmt::format("{:.0f} %", 100.0f * places.pixel_side);
 }
 
 vec2 badge_margin() {
@@ -57,19 +57,18 @@ bool ZoomHand::move(Studio& studio, const PicturePlaces& places, bool hovered) {
   if (factor == zoom.factor() && centre == zoom.centre()) return false;
   if (studio.trace.is_on())
     studio.trace.note(
-        fmt::format("zoom {} at {:.4f} {:.4f}", zoom_text(zoom), zoom.centre().x, zoom.centre().y));
+        fmt::format("zoom {:.2g}x at {:.4f} {:.4f}", zoom.factor(), zoom.centre().x, zoom.centre().y));
   return true;
 }
 
-float zoom_badge_width(const Studio& studio) {
-  const PictureZoom& zoom = studio.viewpoint.zoom;
-  if (!zoom.is_on()) return 0.0f;
-  return ImGui::CalcTextSize(zoom_text(zoom).c_str()).x + 2.0f * badge_margin().x + scaled(6);
+float zoom_badge_width(const PicturePlaces& places) {
+  if (!places.is_magnified) return 0.0f;
+  return ImGui::CalcTextSize(badge_text(places).c_str()).x + 2.0f * badge_margin().x + scaled(6);
 }
 
-void show_zoom_badge(Studio& studio, const PaneRect& pane) {
-  if (!studio.viewpoint.zoom.is_on()) return;
-  const std::string text = zoom_text(studio.viewpoint.zoom);
+void show_zoom_badge(Studio& studio, const PicturePlaces& places, const PaneRect& pane) {
+  if (!places.is_magnified) return;
+  const std::string text = badge_text(places);
   const vec2 margin = badge_margin();
   const ImVec2 room = ImGui::CalcTextSize(text.c_str());
   const vec2 begin = pane.begin + vec2(scaled(10), scaled(8)) - vec2(0.0f, margin.y),
@@ -86,8 +85,9 @@ void show_zoom_badge(Studio& studio, const PaneRect& pane) {
   if (ImGui::InvisibleButton("##whole", to_im(size))) studio.viewpoint.zoom = {};
   const bool hovered = ImGui::IsItemHovered();
   note_item(studio.trace, "zoom badge");
-  help("The picture is magnified; click to see all of it (" +
-       text_of(studio.hotkeys.chord(Action::zoom_whole)) + "). With " +
+  help(fmt::format("The picture is magnified: each of its pixels is {:.2g} of the screen wide. ",
+                   places.pixel_side) +
+       "Click to see all of it (" + text_of(studio.hotkeys.chord(Action::zoom_whole)) + "). With " +
        text_of(studio.hotkeys.chord(Action::zoom_hand)) +
        " held the wheel magnifies and a drag pans. The camera stays.");
   ImGui::GetWindowDrawList()->AddRectFilled(to_im(begin), to_im(begin + size),

@@ -20,9 +20,10 @@ class ZoomHand {
   float wheel_ = 0.0f;                 // [notches] that make no whole step yet
 };
 
-/// In the upper left corner, as long as not all of the picture is seen; a click shows all of it.
-void show_zoom_badge(Studio& studio, const PaneRect& pane);
+/// In the upper left corner, as long as not all of the picture is seen: how large its pixels are, as a share
+/// of the screen's. A click shows all of it.
+void show_zoom_badge(Studio& studio, const PicturePlaces& places, const PaneRect& pane);
 /// What it takes of that corner's first row. [points]
-float zoom_badge_width(const Studio& studio);
+float zoom_badge_width(const PicturePlaces& places);
 
 }  // namespace plinian::window

@@ -41,6 +41,9 @@ class Inspector {
   std::optional<double> t;        // [world] that was chosen on the ray
   std::string light;              // that was chosen
   std::optional<ProbeSpot> spot;  // where the card was dragged to; none: it lies where it hides least
+  bool is_docked = false;         // ... which is beneath the picture, in place of the console
+  bool is_behind = false;         // there, while something else is looked at
+  bool is_beneath() const { return on && is_docked && !is_behind; }
 
   /// Asks for what is chosen in the picture, where that is another question than the last. To be called once
   /// a turn.

@@ -133,8 +133,9 @@ bool sees_beauty(const Development& how) {
 
 // A picture from a file, as it is measured.
 ViewPicturePtr matched_picture(const ViewPicture& picture, const Development& how, std::string& said) {
-  if (!how.matches || !sees_beauty(how)) return how.against;
-  const Match matched = match(picture.frame, picture.scene.background, how.against_file->picture);
+  if (how.matching == Matching{} || !sees_beauty(how)) return how.against;
+  const Match matched =
+      match(picture.frame, picture.scene.background, how.against_file->picture, how.matching);
   said = matched.text();
   auto other = std::make_shared<ViewPicture>(*how.against);
   other->frame = matched.frame;
@@ -159,22 +160,23 @@ std::optional<vec3> balance_of(const PicturePair& pair, const Frame& frame, cons
 void measure(Developed& developed, const Image& image, const ViewPicture& picture, const Development& how) {
   developed.lacks = lacking_layer(how);
   if (!developed.lacks.empty()) return;
-  developed.other = how.against_file ? matched_picture(picture, how, developed.matched) : how.against;
+  Figures& figures = developed.figures.emplace();
+  developed.other = how.against_file ? matched_picture(picture, how, figures.matched) : how.against;
   const Image reference = visible_layers(developed.other->frame, how);
   const PicturePair pair = pair_pictures(image, reference);
   const PixelMetrics metrics = pixel_metrics(pair);
-  developed.psnr = metrics.psnr;
-  developed.ssim = ssim(pair, metrics.peak);
+  figures.psnr = metrics.psnr;
+  figures.ssim = ssim(pair, metrics.peak);
   // What is matched would hide how far the light is off.
   const bool as_it_came = developed.other == how.against;
-  developed.balance =
+  figures.balance =
       balance_of(as_it_came ? pair : pair_pictures(image, visible_layers(how.against->frame, how)),
                  picture.frame, how.against->frame, how);
   if (how.seen == Seen::difference) developed.bytes = difference_bytes(image, reference);
   if (how.seen == Seen::flip) {
     const FlipResult seen =
         flip(pair.a, pair.reference, pair.width, pair.height, {.exposure = how.view.exposure});
-    developed.flip = seen.mean;
+    figures.flip = seen.mean;
     developed.bytes = heat_bytes(seen.map, 1.0f);
   }
 }
@@ -223,13 +225,18 @@ vec3 visible_radiance(const Frame& frame, const Development& how, std::size_t pi
   return sum;
 }
 
+bool measures_alike(const Development& a, const Development& b) {
+  return a.against == b.against && a.against_file == b.against_file && a.matching == b.matching &&
+         a.layer == b.layer && a.solo == b.solo && a.solo_ambient == b.solo_ambient;
+}
+
 std::string words_of(const Development& how) {
   std::string words =
       fmt::format("{} {} {} {} {} {} {} {}", how.solo_ambient, int(how.view.view), how.view.exposure,
                   how.view.gamma, how.view.ocio_config, how.view.ocio_display, how.view.ocio_view, how.layer);
-  words += fmt::format(" {} {} {} {} {}", static_cast<const void*>(how.against.get()),
-                       static_cast<const void*>(how.against_file.get()), how.matches, int(how.seen),
-                       static_cast<const void*>(how.plate.get()));
+  words += fmt::format(" {} {} {} {} {} {}", static_cast<const void*>(how.against.get()),
+                       static_cast<const void*>(how.against_file.get()), how.matching.exposure,
+                       how.matching.background, int(how.seen), static_cast<const void*>(how.plate.get()));
   for (const std::string& light : how.solo) words += " " + light;
   return words;
 }
@@ -244,8 +251,9 @@ Image visible_layers(const Frame& frame, const Development& how) {
   return image;
 }
 
-DevelopedPtr develop(const ViewPicturePtr& picture, const Development& how, const ViewPicturePtr& matched) {
+DevelopedPtr develop(const ViewPicturePtr& picture, const Development& how, const Measured* last) {
   auto developed = std::make_shared<Developed>();
+  developed->against = how.against;
   developed->picture = picture;
   developed->width = picture->frame.width;
   developed->height = picture->frame.height;
@@ -273,7 +281,10 @@ DevelopedPtr develop(const ViewPicturePtr& picture, const Development& how, cons
   const SceneSnapshot& scene = picture->scene;
   if (how.against && picture->quick && lacking_layer(how).empty() &&
       how.against->frame.width == scene.width && how.against->frame.height == scene.height) {
-    developed->other = matched ? matched : how.against;
+    const bool alike = last && measures_alike(last->how, how);
+    developed->other = alike ? last->other : how.against;
+    if (alike) developed->figures = last->figures;
+    developed->has_old_figures = alike;
     if (how.seen == Seen::difference)
       developed->bytes = difference_bytes(
           image, shrunk(visible_layers(developed->other->frame, how), developed->width, developed->height));
@@ -314,7 +325,7 @@ void Developer::forget() {
 }
 
 void Developer::run() {
-  ViewPicturePtr matched, matched_from;  // the other picture as it was measured last, and as it came
+  std::optional<Measured> last;
   for (;;) {
     ViewPicturePtr picture;
     Development how;
@@ -325,12 +336,12 @@ void Developer::run() {
       picture = std::move(waiting_);
       how = how_;
     }
-    DevelopedPtr developed = develop(picture, how, how.against == matched_from ? matched : nullptr);
+    DevelopedPtr developed = develop(picture, how, last ? &*last : nullptr);
     if (!developed) continue;
-    if ((developed->other && !picture->quick) || !how.against) {
-      matched = developed->other;
-      matched_from = how.against;
-    }
+    if (developed->figures && !developed->has_old_figures)
+      last = {how, developed->other, *developed->figures};
+    else if (!how.against)
+      last.reset();
     {
       const std::lock_guard lock(mutex_);
       developed_ = std::move(developed);

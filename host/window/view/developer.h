@@ -29,7 +29,7 @@ struct Development {
   bool solo_ambient = false;    // ... and the sky's
   ViewPicturePtr against;       // measured against this one, where it has the same size
   FilePicturePtr against_file;  // ... which is this one, from a file
-  bool matches = true;          // a file's exposure and background are matched first
+  Matching matching;            // of a file's, first
   Seen seen = Seen::picture;
   FilePicturePtr plate;  // behind what has an alpha, of which it takes the shape
   std::string layer;     // beauty (or empty), alpha, depth, emission, ambient, map error
@@ -48,23 +48,39 @@ struct MapError {
   static constexpr float full_scale = 0.1f;
 };
 
+/// How far a picture is from another one.
+struct Figures {
+  double psnr = 0.0;            // [dB] of linear radiance, see metrics.h
+  double ssim = 0.0;            // [-] likewise
+  std::optional<double> flip;   // [-] mean, where it is what is seen
+  std::optional<vec3> balance;  // [-] how bright each channel is, as a share of the other picture's as it
+                                // came, not as it was matched
+  std::string matched;          // what was done to the other first; empty: nothing
+};
+
 struct Developed {
-  int width = 0, height = 0;        // [pixels]
-  std::vector<std::uint8_t> bytes;  // r g b, top row first
-  ViewPicturePtr picture;           // that it was made of
-  std::optional<double> psnr;       // [dB] of linear radiance against the other picture, see metrics.h
-  std::optional<double> ssim;       // [-] likewise
-  std::optional<double> flip;       // [-] mean, where it is what is seen
-  std::optional<vec3> balance;      // [-] how bright each channel is, as a share of the other picture's as it
-                                    // came, not as it was matched
-  std::optional<MapError> map_error;  // likewise
-  ViewPicturePtr other;  // that it was measured against, as it was matched, or a quick one is held
-                         // against; null: it cannot be
-  std::string matched;   // what was done to the other for that; empty: nothing
-  std::string lacks;     // the layer that is seen and that the other does not have: not measured
-  std::string error;     // why the view could not be used; then it is sRGB
+  int width = 0, height = 0;          // [pixels]
+  std::vector<std::uint8_t> bytes;    // r g b, top row first
+  ViewPicturePtr picture;             // that it was made of
+  ViewPicturePtr against;             // that it was asked to be held against, as that came
+  ViewPicturePtr other;               // as it was matched; null: it cannot be held against it
+  std::optional<Figures> figures;     // against that
+  bool has_old_figures = false;       // those of the last picture that was measured: a quick one is not
+  std::optional<MapError> map_error;  // where it is what is seen
+  std::string lacks;                  // the layer that is seen and that the other does not have: not measured
+  std::string error;                  // why the view could not be used; then it is sRGB
 };
 using DevelopedPtr = std::shared_ptr<const Developed>;
+
+/// What was measured last, and how that was looked at.
+struct Measured {
+  Development how;
+  ViewPicturePtr other;  // as it was matched
+  Figures figures;
+};
+
+/// Whether figures of the one are of the same two pictures and layers as those of the other.
+bool measures_alike(const Development& a, const Development& b);
 
 /// What one sees of a frame, as a picture with R, G and B, without a plate. [radiance, or a share for alpha
 /// and depth]
@@ -76,9 +92,9 @@ vec3 visible_radiance(const Frame& frame, const Development& how, std::size_t pi
 std::string lacking_layer(const Development& how);
 
 /// The picture, looked at so; null where it is light and an error is asked for, or the other way round.
-/// matched: the other picture as it was matched last, against which a quick one is held; null: as it is.
-DevelopedPtr develop(const ViewPicturePtr& picture, const Development& how,
-                     const ViewPicturePtr& matched = nullptr);
+/// last: a quick one is held against the other as that was matched then, and has its figures, where that
+/// measured alike; null: the other as it is, and no figures.
+DevelopedPtr develop(const ViewPicturePtr& picture, const Development& how, const Measured* last = nullptr);
 
 class Developer {
  public:

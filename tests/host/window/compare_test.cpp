@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "core/image/image_io.h"
+#include "host/window/compare/comparison.h"
 #include "host/window/compare/reference_images.h"
 #include "host/window/compare/reference_picture.h"
 #include "host/window/compare/snapshots.h"
@@ -95,6 +96,8 @@ double largest_difference(const Frame& a, const Frame& b) {
   return largest;
 }
 
+constexpr Matching everything{.exposure = true, .background = true};
+
 TEST(Match, FindsExposureAndBackgroundOfTheSameMediumAndSaysSo) {
   const vec3 grey(0.2f), blue(0.0f, 0.1f, 0.4f);
   const Frame picture = frame_of(16, 0.8f, grey);
@@ -103,15 +106,47 @@ TEST(Match, FindsExposureAndBackgroundOfTheSameMediumAndSaysSo) {
   std::erase_if(image.channels, [](const Channel& c) { return c.name.starts_with("background"); });
   const ReadPicture read = read_picture(image, "", "auto", 0.0f);
   ASSERT_TRUE(read.has_alpha);
-  const Match matched = match(picture, grey, read);
+  const Match matched = match(picture, grey, read, everything);
   EXPECT_NEAR(matched.stops.value(), 1.0f, 1e-4f);
   EXPECT_TRUE(matched.background);
-  EXPECT_EQ(matched.text(), "exposure +1.00, background");
+  EXPECT_EQ(matched.text(), "matched by +1.00 EV, over this background");
   EXPECT_LT(largest_difference(matched.frame, picture), 1e-4);
   // The same picture needs nothing.
-  const Match same = match(picture, grey, read_picture(frame_to_image(picture), "", "auto", 0.0f));
-  EXPECT_EQ(same.text(), "");
+  const Match same =
+      match(picture, grey, read_picture(frame_to_image(picture), "", "auto", 0.0f), everything);
+  EXPECT_EQ(same.text(), "matched by +0.00 EV") << "it would be, were it another";
   EXPECT_LT(largest_difference(same.frame, picture), 1e-5);
+}
+
+TEST(Match, DoesNoMoreThanItIsAskedFor) {
+  const vec3 grey(0.2f), blue(0.0f, 0.1f, 0.4f);
+  const Frame picture = frame_of(16, 0.8f, grey), dim = frame_of(16, 0.4f, blue);
+  const ReadPicture read = read_picture(frame_to_image(dim), "", "auto", 0.0f);
+  const Match behind = match(picture, grey, read, {.background = true});
+  EXPECT_EQ(behind.text(), "over this background");
+  EXPECT_LT(largest_difference(behind.frame, frame_of(16, 0.4f, grey)), 1e-5);
+  const Match lit = match(picture, grey, read, {.exposure = true});
+  EXPECT_EQ(lit.text(), "matched by +1.00 EV");
+  EXPECT_LT(largest_difference(lit.frame, frame_of(16, 0.8f, blue)), 1e-4);
+  const Match as_it_came = match(picture, grey, read, {});
+  EXPECT_EQ(as_it_came.text(), "");
+  EXPECT_LT(largest_difference(as_it_came.frame, dim), 1e-5);
+}
+
+// Else who looks for a light would be told that it is found.
+TEST(Match, LeavesTheExposureOfSceneLinearPicturesAsItIs) {
+  const TemporaryFolder folder;
+  write_image(folder / "ours.exr", frame_to_image(frame_of(8, 0.4f, vec3(0.1f))));
+  write_image(folder / "plain.exr", make_image(8, 8, vec3(0.5f)));
+  write_image(folder / "seen.png", make_image(8, 8, vec3(0.5f)));
+  const auto usual = [&](const char* name, const char* colour_space = "auto") {
+    return usual_matching(read_picture(read_image(folder / name), "", colour_space, 0.0f));
+  };
+  EXPECT_EQ(usual("ours.exr"), (Matching{.exposure = false, .background = true}));
+  EXPECT_EQ(usual("plain.exr"), (Matching{.exposure = false, .background = false}));
+  EXPECT_EQ(usual("seen.png"), (Matching{.exposure = true, .background = false}));
+  EXPECT_FALSE(usual("seen.png", "linear").exposure) << "it is said to be so";
+  EXPECT_TRUE(usual("plain.exr", "srgb").exposure);
 }
 
 TEST(ReadPicture, TakesALayerAColourSpaceAndAnExposure) {
@@ -134,6 +169,41 @@ TEST(ReadPicture, TakesALayerAColourSpaceAndAnExposure) {
     EXPECT_EQ(std::string(error.what()).find("no layer 'kez'"), 0u) << error.what();
     EXPECT_NE(std::string(error.what()).find("key"), std::string::npos);
   }
+}
+
+// What was chosen for one file says nothing of the next; the frames of a sequence are one.
+TEST(Comparison, HowAFileIsMatchedIsChosenForIt) {
+  const TemporaryFolder folder;
+  for (const int frame : {1, 2})
+    write_image(folder / ("ref.000" + std::to_string(frame) + ".exr"), make_image(8, 4, vec3(0.5f)));
+  write_image(folder / "seen.png", make_image(8, 4, vec3(0.5f)));
+  scene::TestWorkspace w;
+  Development development;
+  Comparison comparison(w, development, [] {});
+  const auto compares_with = [&](const std::string& name) {
+    for (int i = 0; i < 2000 && comparison.name != name; ++i) {
+      comparison.update();
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return comparison.name == name;
+  };
+  w.run("loadReference " + folder / "ref.####.exr");
+  ASSERT_TRUE(compares_with("ref.0001.exr"));
+  EXPECT_FALSE(development.matching.exposure);
+  development.matching.exposure = true;
+  w.run("currentTime 2");
+  ASSERT_TRUE(compares_with("ref.0002.exr"));
+  EXPECT_TRUE(development.matching.exposure);
+  comparison.keep(nullptr, "", OtherKind::none);
+  comparison.want_file();
+  ASSERT_TRUE(compares_with("ref.0002.exr"));
+  EXPECT_TRUE(development.matching.exposure);
+  w.run("setAttr reference.file " + folder / "ref.0001.exr");
+  ASSERT_TRUE(compares_with("ref.0001.exr"));
+  EXPECT_FALSE(development.matching.exposure);
+  w.run("setAttr reference.file " + folder / "seen.png");
+  ASSERT_TRUE(compares_with("seen.png"));
+  EXPECT_TRUE(development.matching.exposure);
 }
 
 struct WatchedImages {

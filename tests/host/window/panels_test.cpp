@@ -15,6 +15,7 @@
 #include "host/window/navigation/key_light.h"
 #include "host/window/panels/layout.h"
 #include "host/window/panels/look_gallery.h"
+#include "host/window/panels/status_line.h"
 
 namespace plinian::window {
 namespace {
@@ -257,6 +258,21 @@ TEST(Layout, PanesAreRememberedAndNonsenseIsNot) {
   EXPECT_EQ(read_pane_sizes(text_of(sizes)).probe, sizes.probe);
   EXPECT_EQ(read_pane_sizes("left nan\nright 1e9\nwrong").left, PaneSizes().left);
   EXPECT_LE(read_pane_sizes("right 1e9").right, 1200.0f);
+}
+
+TEST(StatusLine, APictureOfNothingIsNotSaidToBeAtRest) {
+  ViewPicture picture;
+  picture.at_rest = true;
+  EXPECT_EQ(state_of(picture, "reading smoke.vdb"), "reading smoke.vdb");
+  EXPECT_EQ(state_of(picture, ""), "nothing to see");
+  picture.passes = 4;
+  EXPECT_EQ(state_of(picture, ""), "at rest, 4 passes");
+  EXPECT_EQ(state_of(picture, "reading smoke.vdb"), "at rest, 4 passes") << "it stays while the next is read";
+  picture.at_rest = false;
+  picture.scene.quality.view.passes = 32;
+  EXPECT_EQ(state_of(picture, "rendering"), "pass 4 of 32 at most");
+  picture.quick = true;
+  EXPECT_EQ(state_of(picture, "rendering"), "quick");
 }
 
 TEST(PictureGrid, ShowsAllAtOnceAsLargeAsTheRoomAllows) {

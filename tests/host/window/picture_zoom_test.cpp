@@ -30,10 +30,8 @@ TEST(PictureZoom, ItGoesInStepsFromTheWholePictureTo32) {
   zoom.step(1, {200.0f, 100.0f}, whole);
   EXPECT_NEAR(zoom.factor(), 1.41421356f, 1e-6f);
   zoom.step(2, {200.0f, 100.0f}, whole);
-  EXPECT_FALSE(zoom.shows_squares()) << "at " << zoom.factor();
   zoom.step(1, {200.0f, 100.0f}, whole);
   EXPECT_EQ(zoom.factor(), 4.0f);
-  EXPECT_TRUE(zoom.shows_squares());
   EXPECT_EQ(zoom.magnified(whole).size, whole.size * 4.0f);
   zoom.step(100, {200.0f, 100.0f}, whole);
   EXPECT_EQ(zoom.factor(), 32.0f);
@@ -93,12 +91,12 @@ TEST(PictureZoom, AnotherPaneKeepsWhatIsInItsMiddle) {
 TEST(PicturePlaces, SideBySideBothAreMagnifiedAlikeEachInItsHalf) {
   PictureZoom zoom;
   const PaneRect pane{{233.0f, 60.0f}, {804.0f, 500.0f}};
-  const PicturePlaces one = picture_places(pane, {804.0f, 500.0f}, false, 4.0f, zoom, 1.0f);
+  const PicturePlaces one = picture_places(pane, {804.0f, 500.0f}, 804, false, 4.0f, zoom, 1.0f);
   EXPECT_EQ(one.picture.size, pane.size);
   EXPECT_EQ(one.room.size, pane.size);
   EXPECT_FALSE(one.is_over_other({1000.0f, 300.0f}));
   zoom.step(5, {300.0f, 200.0f}, one.whole);
-  const PicturePlaces two = picture_places(pane, {804.0f, 500.0f}, true, 4.0f, zoom, 1.0f);
+  const PicturePlaces two = picture_places(pane, {804.0f, 500.0f}, 804, true, 4.0f, zoom, 1.0f);
   EXPECT_EQ(two.room.size.x, 400.0f);
   EXPECT_EQ(two.whole.size.x, 400.0f);
   EXPECT_EQ(two.other_room.begin.x, pane.begin.x + 404.0f);
@@ -110,12 +108,36 @@ TEST(PicturePlaces, SideBySideBothAreMagnifiedAlikeEachInItsHalf) {
   EXPECT_EQ(two.way_to_picture(two.room.begin + vec2(17.0f, 90.0f)), vec2(0.0f));
 }
 
+// Not how far the picture is from its fitted size: side by side it is shrunk to begin with.
+TEST(PicturePlaces, PixelsAreSquaresOnceTheyAreFourOfTheScreen) {
+  struct Case {
+    int pixels;  // of the picture, in a pane of 640 points
+    bool side_by_side;
+    float ratio;
+    int steps;
+    float side;
+    bool squares;
+  };
+  for (const Case& c : {Case{640, false, 1.0f, 0, 1.0f, false}, Case{640, false, 1.0f, 3, 2.83f, false},
+                        Case{640, false, 1.0f, 4, 4.0f, true}, Case{640, true, 1.0f, 4, 1.99f, false},
+                        Case{640, true, 1.0f, 6, 3.975f, true}, Case{1280, false, 2.0f, 4, 4.0f, true},
+                        Case{160, false, 1.0f, 0, 4.0f, false}, Case{160, false, 1.0f, 1, 5.66f, true}}) {
+    PictureZoom zoom;
+    zoom.step(c.steps, {300.0f, 200.0f}, whole);
+    const PicturePlaces places =
+        picture_places(whole, whole.size, c.pixels, c.side_by_side, 4.0f, zoom, c.ratio);
+    EXPECT_NEAR(places.pixel_side, c.side, 0.01f) << c.pixels << " " << c.steps;
+    EXPECT_EQ(places.shows_squares, c.squares) << c.pixels << " " << c.steps;
+    EXPECT_EQ(places.is_magnified, c.steps > 0);
+  }
+}
+
 // Else squares would be of different sizes.
 TEST(PicturePlaces, MagnifiedPicturesBeginAtPixelsOfTheScreen) {
   PictureZoom zoom;
   zoom.step(4, {317.3f, 211.9f}, whole);
   for (const float ratio : {1.0f, 2.0f}) {
-    const vec2 begin = picture_places(whole, whole.size, false, 4.0f, zoom, ratio).picture.begin * ratio;
+    const vec2 begin = picture_places(whole, whole.size, 640, false, 4.0f, zoom, ratio).picture.begin * ratio;
     expect_same(begin, glm::round(begin), 1e-3f);
   }
 }

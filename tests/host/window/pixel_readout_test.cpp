@@ -61,6 +61,32 @@ TEST(PixelReadout, ItIsOfThePixelUnderThePointerAsItIsSeen) {
   EXPECT_FALSE(read_pixel(*shown, how, {-0.01f, 0.5f}, std::nullopt, ""));
 }
 
+// Else one would tune a density by radiance.
+TEST(PixelReadout, ItIsOfTheLayerThatIsSeen) {
+  Development how;
+  const auto picture = ramp(1.0f);
+  const auto lines = [&] {
+    const std::optional<vec2> other_at = how.against ? std::optional(at(2, 3)) : std::nullopt;
+    return readout_lines(*read_pixel(*develop(picture, how), how, at(2, 3), other_at, "snapshot 1"));
+  };
+  using Lines = std::vector<std::string>;
+  how.layer = "alpha";
+  EXPECT_EQ(lines(), Lines{"   2    3   alpha 0.7500   z 6.5 m"});
+  how.layer = "depth";
+  EXPECT_EQ(lines(), Lines{"   2    3   depth 6.5 m"});
+  how.layer = "ambient";
+  EXPECT_EQ(lines(), Lines{"   2    3   ambient 0.0000 0.0000 0.0000   a 0.750   z 6.5 m"});
+  const auto thinner = ramp(1.0f);
+  thinner->frame.transmittance.assign(thinner->frame.beauty.size(), vec3(0.5f));
+  how.against = thinner;
+  how.layer = "alpha";
+  EXPECT_EQ(lines(), (Lines{"   2    3  alpha  0.7500   z 6.5 m", "snapshot 1 alpha  0.5000   z 6.5 m",
+                            "difference alpha +0.2500"}));
+  how.solo = {"key"};
+  EXPECT_EQ(lines()[0], "   2    3   0.5000  0.5000  0.5000  a  0.750   z 6.5 m")
+      << "lights that are shown alone are what is seen";
+}
+
 // It has fewer pixels; the place is told in those of the one at rest.
 TEST(PixelReadout, AQuickPictureIsReadWhereThePointerIs) {
   const auto quick = ramp(1.0f, {4, 2});
@@ -98,16 +124,17 @@ TEST(PixelReadout, AFileIsReadAsItWasMatched) {
   Development how;
   how.against = ramp(0.25f);
   how.against_file = file_of(*how.against, false);
+  how.matching.exposure = true;
   const DevelopedPtr shown = develop(ramp(1.0f), how);
   auto readout = read_pixel(*shown, how, at(5, 1), at(5, 1), "ref.exr");
   ASSERT_TRUE(readout->other);
   expect_near(readout->other->radiance, readout->picture.radiance);
-  EXPECT_EQ(readout->matched, "exposure +2.00");
+  EXPECT_EQ(readout->matched, "matched by +2.00 EV");
   EXPECT_FALSE(readout->other->alpha) << "it has none";
   const std::vector<std::string> lines = readout_lines(*readout);
-  EXPECT_EQ(lines[1].substr(lines[1].size() - 17), "   exposure +2.00");
+  EXPECT_EQ(lines[1].substr(lines[1].size() - 22), "   matched by +2.00 EV");
   EXPECT_EQ(lines[2], "difference +0.0000 +0.0000 +0.0000");
-  how.matches = false;
+  how.matching = {};
   readout = read_pixel(*develop(ramp(1.0f), how), how, at(5, 1), at(5, 1), "ref.exr");
   expect_near(readout->other->radiance, 0.25f * readout->picture.radiance);
   EXPECT_EQ(readout->matched, "");
@@ -117,6 +144,7 @@ TEST(PixelReadout, WhatCannotBeMatchedIsSaidToBeSo) {
   Development how;
   how.against = ramp(0.25f, {16, 8});
   how.against_file = file_of(*how.against, true);
+  how.matching.exposure = true;
   const auto picture = ramp(1.0f);
   const auto readout = read_pixel(*develop(picture, how), how, at(2, 1), at(4, 3, {16, 8}), "ref.exr");
   ASSERT_TRUE(readout->other);
@@ -132,14 +160,17 @@ TEST(PixelReadout, AQuickPictureIsHeldAgainstWhatWasMatched) {
   Development how;
   how.against = ramp(0.25f);
   how.against_file = file_of(*how.against, false);
+  how.matching.exposure = true;
   const DevelopedPtr whole = develop(ramp(1.0f), how);
   const auto quick = ramp(1.0f, {4, 2});
   quick->quick = true;
   quick->scene.width = 8;
   quick->scene.height = 4;
-  const DevelopedPtr shown = develop(quick, how, whole->other);
+  const Measured last{how, whole->other, *whole->figures};
+  const DevelopedPtr shown = develop(quick, how, &last);
   const auto readout = read_pixel(*shown, how, at(5, 1), at(5, 1), "ref.exr");
   expect_near(readout->other->radiance, {0.6f, 0.2f, 0.01f});
+  EXPECT_EQ(readout->matched, "matched by +2.00 EV");
 }
 
 }  // namespace

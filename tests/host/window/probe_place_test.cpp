@@ -35,6 +35,20 @@ TEST(ProbePlace, NoPixelIsEverCovered) {
   }
 }
 
+// Over a small one it would hide what it is about, whichever edge it lies at.
+TEST(ProbePlace, UnderALowOrNarrowPictureItLiesBeneath) {
+  const PaneRect bottom{{233.0f, 515.0f}, {412.0f, 161.0f}};
+  const auto beneath = [&](vec2 pane, float scale = 1.0f) {
+    return is_better_beneath({{233.0f, 75.0f}, pane}, bottom, scale);
+  };
+  EXPECT_TRUE(beneath({412.0f, 397.0f})) << "in a window of 1000 x 700";
+  EXPECT_TRUE(beneath({1100.0f, 420.0f})) << "a low one";
+  EXPECT_FALSE(beneath({854.0f, 622.0f})) << "in one of 1440 x 900";
+  EXPECT_FALSE(is_better_beneath({{0.0f, 22.0f}, {412.0f, 397.0f}}, {}, 1.0f)) << "there is no pane for it";
+  EXPECT_FALSE(is_better_beneath({{0.0f, 22.0f}, {412.0f, 397.0f}}, {{0.0f, 500.0f}, {412.0f, 60.0f}}, 1.0f));
+  EXPECT_TRUE(is_better_beneath({{0.0f, 22.0f}, {824.0f, 794.0f}}, {{0.0f, 900.0f}, {824.0f, 322.0f}}, 2.0f));
+}
+
 TEST(ProbePlace, ItLiesWhereThereIsNoSmoke) {
   const PaneRect& room = rooms[1];
   const std::vector<ProbeCard> cards = probe_cards(room, 1.0f);

@@ -1,13 +1,14 @@
 // The ray probe in the window, by hand.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "tests/host/cli/program.h"
-#include "tests/host/window/sitting.h"
+#include "tests/host/window/steps.h"
 
 namespace plinian {
 namespace {
@@ -28,13 +29,19 @@ Probed probed_in(const std::string& line) {
   return result;
 }
 
+const auto looks_settled = [](const std::string& line) {
+  return line.find(" picture ") != line.npos && line.find(" rest ") != line.npos &&
+         line.find("passes 0") == line.npos;
+};
+
+bool covers(ivec4 card, ivec2 at) {
+  return at.x >= card.x && at.y >= card.y && at.x < card.x + card.z && at.y < card.y + card.w;
+}
+
 TEST(ProbeSitting, AClickTellsWhatTheCommandLineTellsOfTheSamePixel) {
   if (const std::string problem = Sitting::problem(); !problem.empty()) GTEST_SKIP() << problem;
   constexpr ivec2 size(1280, 800);
   Sitting sitting({"sphere"}, size);
-  const auto looks_settled = [](const std::string& line) {
-    return line.find(" picture ") != line.npos && line.find(" rest ") != line.npos;
-  };
   sitting.wait_for(" still", sitting.wait_for(looks_settled));
   sitting.stroke("i");
   sitting.item("probe");
@@ -77,41 +84,71 @@ TEST(ProbeSitting, AClickTellsWhatTheCommandLineTellsOfTheSamePixel) {
   sitting.keep("probe.png");
 }
 
-// In a small window, where there is little room for both.
-TEST(ProbeSitting, TheCardLeavesThePixelFreeAndStaysWhereItIsDragged) {
+// Where there is little room for both.
+TEST(ProbeSitting, InASmallWindowThePictureStaysFree) {
   if (const std::string problem = Sitting::problem(); !problem.empty()) GTEST_SKIP() << problem;
   Sitting sitting({"sphere"}, {1000, 700});
-  const auto looks_settled = [](const std::string& line) {
-    return line.find(" picture ") != line.npos && line.find(" rest ") != line.npos &&
-           line.find("passes 0") == line.npos;
-  };
+  sitting.wait_for(" still", sitting.wait_for(looks_settled));
+  const ivec4 picture = sitting.item("picture");
+  const ivec2 pixel(picture.x + picture.z / 2, picture.y + 2 * picture.w / 3);
+  std::size_t since = sitting.now();
+  sitting.stroke("i");
+  sitting.item("probe");
+  sitting.click(pixel);
+  sitting.wait_for(" still", sitting.wait_for(" probe ", since));
+  sitting.keep("probe-2-beneath.png");
+  EXPECT_EQ(sitting.item("picture"), picture) << "it has the room that it had";
+  EXPECT_GE(sitting.item("probe").y, picture.y + picture.w);
+  EXPECT_TRUE(covers(sitting.item("probe"), sitting.middle("probe ray")));
+  for (std::size_t i = since; i < sitting.now(); ++i)
+    EXPECT_EQ(sitting.line(i).find(" picture "), std::string::npos) << "rendered: " << sitting.line(i);
+  // Its plots take the mouse there, too.
+  const ivec4 ray = sitting.item("probe ray");
+  const Probed first = probed_in(sitting.line(sitting.wait_for(" probe ", since)));
+  since = sitting.now();
+  sitting.click({ray.x + 4 * ray.z / 5, ray.y + ray.w / 2});
+  EXPECT_GT(probed_in(sitting.line(sitting.wait_for(" probe ", since))).t, first.t);
+  // The console comes before it by its tab, and the next pixel brings it back.
+  sitting.click(sitting.middle("tab console"));
+  since = sitting.now();
+  sitting.click(sitting.middle("command line"));
+  sitting.wait_for_keys("keys to a field");
+  sitting.keep("probe-3-console.png");
+  sitting.click({pixel.x + 20, pixel.y});
+  sitting.wait_for(" still", sitting.wait_for(" probe ", since));
+  sitting.keep("probe-4-back.png");
+  // Off again, the console is where it was.
+  sitting.stroke("i");
+  command(sitting, "select medium");
+}
+
+TEST(ProbeSitting, TheCardLeavesThePixelFreeAndStaysWhereItIsDragged) {
+  if (const std::string problem = Sitting::problem(); !problem.empty()) GTEST_SKIP() << problem;
+  Sitting sitting({"sphere"}, {1440, 900});
   sitting.wait_for(" still", sitting.wait_for(looks_settled));
   sitting.stroke("i");
   sitting.item("probe");
   const ivec4 picture = sitting.item("picture");
-  const auto covers = [](ivec4 card, ivec2 at) {
-    return at.x >= card.x && at.y >= card.y && at.x < card.x + card.z && at.y < card.y + card.w;
-  };
-  const auto at = [&](vec2 share) {
-    return ivec2(picture.x + int(share.x * float(picture.z)), picture.y + int(share.y * float(picture.w)));
-  };
-  const ivec2 above = at({0.5f, 0.4f}), below = at({0.45f, 0.7f});
   std::size_t since = sitting.now();
-  sitting.click(above);
-  sitting.move(above + ivec2(1, 0));
+  sitting.click(sitting.middle("picture"));
+  sitting.move(sitting.middle("picture") + ivec2(1, 0));
   sitting.wait_for(" still", sitting.wait_for(" probe ", since));
-  EXPECT_FALSE(covers(sitting.item("probe"), above));
-  EXPECT_TRUE(covers(sitting.item("probe"), below)) << "else the next step shows nothing";
-  sitting.keep("probe-2-above.png");
+  EXPECT_FALSE(covers(sitting.item("probe"), sitting.middle("picture")));
+  sitting.keep("probe-5-floating.png");
   // Beneath it one comes with the button down: it gives way.
+  const ivec4 first = sitting.item("probe");
+  const ivec2 below(std::clamp(first.x + first.z / 2, picture.x + 5, picture.x + picture.z - 5),
+                    first.y + first.w / 2);
+  ASSERT_TRUE(covers(first, below)) << "else this shows nothing";
   since = sitting.now();
-  sitting.drag(above, below);
-  sitting.wait_for(" still", sitting.wait_for(" probe ", since));
+  sitting.drag(sitting.middle("picture"), below);
+  sitting.move(below + ivec2(1, 0));
+  sitting.wait_for(" still", sitting.wait_for("item \"probe\"", since));
   EXPECT_FALSE(covers(sitting.item("probe"), below));
-  sitting.keep("probe-3-below.png");
+  sitting.keep("probe-6-gave-way.png");
   const ivec4 before = sitting.item("probe");
-  EXPECT_LT(before.z * before.w, picture.z * picture.w * 2 / 5) << "most of the picture is free";
-  const ivec2 grip(before.x + 12, before.y + 12), way(180, before.y > 300 ? -60 : 160);
+  const ivec2 grip(before.x + 8, before.y + before.w - 3);
+  const ivec2 way(before.x > 600 ? -120 : 120, before.y > 250 ? -60 : 60);
   sitting.drag(grip, grip + way);
   sitting.move({5, 5});
   const ivec4 dragged = sitting.item("probe");
@@ -124,9 +161,9 @@ TEST(ProbeSitting, TheCardLeavesThePixelFreeAndStaysWhereItIsDragged) {
   EXPECT_NEAR(sitting.item("probe").x, dragged.x, 2);
   EXPECT_NEAR(sitting.item("probe").y, dragged.y, 2);
   since = sitting.now();
-  sitting.click({picture.x + picture.z / 3, picture.y + picture.w / 2});
+  sitting.click({picture.x + 3 * picture.z / 5, picture.y + picture.w / 4});
   sitting.wait_for(" still", sitting.wait_for(" probe ", since));
-  sitting.keep("probe-4-dragged.png");
+  sitting.keep("probe-7-dragged.png");
   since = sitting.now();
   sitting.click(sitting.middle("probe card reset"));
   sitting.move({5, 5});

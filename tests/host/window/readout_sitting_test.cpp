@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -17,11 +18,11 @@ constexpr const char* ball_scene = R"({"volume": "sphere", "density_scale": 3.0,
   "camera": {"eye": [0, 0, 4], "target": [0, 0, 0], "fov_y_degrees": 40},
   "lights": [{"type": "directional", "toward": [0.3, 0.5, 1], "irradiance": [9, 9, 9]}]})";
 
-// "pixel X Y R G B a A ... | NAME R G B ... exposure +E | difference R G B ..."
+// "pixel X Y R G B a A ... | NAME R G B ... matched by +E EV | difference R G B ..."
 struct Read {
   ivec2 pixel{0};
   vec3 picture{0.0f}, other{0.0f}, difference{0.0f};
-  float stops = 0.0f;
+  std::optional<float> stops;  // none: it is not matched
 };
 
 Read read_in(const std::string& line, const std::string& name) {
@@ -37,7 +38,7 @@ Read read_in(const std::string& line, const std::string& name) {
   words >> read.other.x >> read.other.y >> read.other.z;
   words = words_after("difference");
   words >> read.difference.x >> read.difference.y >> read.difference.z;
-  words_after(" exposure ") >> read.stops;
+  if (line.find(" matched by ") != line.npos) words_after(" matched by ") >> read.stops.emplace();
   return read;
 }
 
@@ -46,7 +47,7 @@ vec3 pixel_of(const Image& image, ivec2 at) {
   return {image.find("R")->values[i], image.find("G")->values[i], image.find("B")->values[i]};
 }
 
-// What is read of either half is what files have there, the reference's as it was matched.
+// What is read of either half is what files have there, the reference's as it was matched, where it was.
 TEST(ReadoutSitting, BothPicturesAreReadWhicheverIsPointedAt) {
   if (const std::string problem = Sitting::problem(); !problem.empty()) GTEST_SKIP() << problem;
   TemporaryFolder files;
@@ -84,18 +85,30 @@ TEST(ReadoutSitting, BothPicturesAreReadWhicheverIsPointedAt) {
     for (int c = 0; c < 3; ++c) {
       EXPECT_NEAR(read.picture[c], truth[c], 1e-4f) << c;
       EXPECT_GT(read.picture[c], 0.01f) << "the ball is pointed at";
-      EXPECT_NEAR(read.other[c], other[c] * std::exp2(read.stops), 0.01f * read.other[c] + 2e-4f) << c;
+      EXPECT_NEAR(read.other[c], other[c] * std::exp2(read.stops.value_or(0.0f)),
+                  0.01f * read.other[c] + 2e-4f)
+          << c;
       EXPECT_NEAR(read.difference[c], read.picture[c] - read.other[c], 2e-4f) << c;
     }
-    EXPECT_GT(read.stops, 0.1f);
   };
+  const Read as_it_came = read_at("other picture", {0.5f, 0.4f});
+  EXPECT_FALSE(as_it_came.stops) << "it is scene-linear, and a light may be what is looked for";
+  check(as_it_came, "as it came");
+  sitting.keep("readout-0-as-it-came.png");
+  sitting.stroke("Control_L+Shift_L+p");
+  sitting.type("match exposure");
+  since = sitting.now();
+  sitting.stroke("Return");
+  sitting.wait_for(" still", sitting.wait_for("psnr", since));
   const Read right = read_at("other picture", {0.55f, 0.45f});
   EXPECT_NEAR(right.pixel.x, 0.55f * 200.0f, 1.5f);
   EXPECT_NEAR(right.pixel.y, 0.45f * 150.0f, 1.5f);
   check(right, "right");
+  EXPECT_GT(right.stops.value_or(0.0f), 0.1f);
   const Read left = read_at("picture", {0.42f, 0.6f});
   EXPECT_NEAR(left.pixel.x, 0.42f * 200.0f, 1.5f);
   check(left, "left");
+  EXPECT_EQ(left.stops, right.stops);
   sitting.wait_for(" still", sitting.now() - 1);
   sitting.keep("readout-1-side-by-side.png");
   // Close up it is still the pixel under the pointer, in either half.

@@ -291,12 +291,12 @@ TEST(Development, TellsHowBrightEachChannelOfTheMediumIsAgainstAnotherPicture) {
   Development how;
   how.against = half_seen(vec3(0.2f, 0.2f, 0.1f));
   const DevelopedPtr seen = develop(half_seen(vec3(0.4f, 0.1f, 0.1f)), how);
-  ASSERT_TRUE(seen->balance);
-  EXPECT_NEAR(seen->balance->x, 2.0f, 1e-4f);
-  EXPECT_NEAR(seen->balance->y, 0.5f, 1e-4f);
-  EXPECT_NEAR(seen->balance->z, 1.0f, 1e-4f);
+  ASSERT_TRUE(seen->figures && seen->figures->balance);
+  EXPECT_NEAR(seen->figures->balance->x, 2.0f, 1e-4f);
+  EXPECT_NEAR(seen->figures->balance->y, 0.5f, 1e-4f);
+  EXPECT_NEAR(seen->figures->balance->z, 1.0f, 1e-4f);
   how.against = half_seen(vec3(0.2f, 0.0f, 0.1f));
-  EXPECT_FALSE(develop(half_seen(vec3(0.4f)), how)->balance) << "there is no green to be a share of";
+  EXPECT_FALSE(develop(half_seen(vec3(0.4f)), how)->figures->balance) << "there is no green to be a share of";
 }
 
 TEST(Development, ABalanceIsThatOfAFileAsItCame) {
@@ -306,10 +306,11 @@ TEST(Development, ABalanceIsThatOfAFileAsItCame) {
   Development how;
   how.against = half_seen(vec3(0.2f));
   how.against_file = file;
+  how.matching.exposure = true;
   const DevelopedPtr seen = develop(half_seen(vec3(0.4f)), how);
-  ASSERT_TRUE(seen->balance);
-  EXPECT_FALSE(seen->matched.empty());
-  EXPECT_NEAR(seen->balance->x, 2.0f, 1e-4f) << "what is matched would hide it";
+  ASSERT_TRUE(seen->figures && seen->figures->balance);
+  EXPECT_FALSE(seen->figures->matched.empty());
+  EXPECT_NEAR(seen->figures->balance->x, 2.0f, 1e-4f) << "what is matched would hide it";
 }
 
 TEST(Development, WhatAFileDoesNotHaveIsNotMeasured) {
@@ -327,12 +328,12 @@ TEST(Development, WhatAFileDoesNotHaveIsNotMeasured) {
   how.solo = {"rim"};
   DevelopedPtr seen = develop(picture, how);
   EXPECT_EQ(seen->lacks, "rim");
-  EXPECT_FALSE(seen->psnr);
+  EXPECT_FALSE(seen->figures);
   how.solo = {"key"};
   seen = develop(picture, how);
   EXPECT_EQ(seen->lacks, "");
-  ASSERT_TRUE(seen->psnr);
-  EXPECT_TRUE(std::isinf(*seen->psnr)) << "the layers are the same";
+  ASSERT_TRUE(seen->figures);
+  EXPECT_TRUE(std::isinf(seen->figures->psnr)) << "the layers are the same";
   how.solo.clear();
   how.layer = "depth";
   EXPECT_EQ(develop(picture, how)->lacks, "depth");
@@ -360,8 +361,86 @@ TEST(Development, AQuickPicturesDifferenceIsRoughButThere) {
   small.depth.assign(64, 1.0f);
   small.ambient = small.emission = small.background = std::vector<vec3>(64, vec3(0.0f));
   const DevelopedPtr seen = develop(quick, how);
-  EXPECT_FALSE(seen->psnr) << "what is measured is at rest or on its way there";
+  EXPECT_FALSE(seen->figures) << "what is measured is at rest or on its way there";
   for (const std::uint8_t byte : seen->bytes) EXPECT_NEAR(byte, 128, 1) << "grey: it agrees";
+}
+
+// Half the sides, of what was seen at that size.
+std::shared_ptr<ViewPicture> quick_of(const ViewPicture& whole) {
+  auto quick = std::make_shared<ViewPicture>(whole);
+  quick->quick = true;
+  quick->scene.width = whole.frame.width;
+  quick->scene.height = whole.frame.height;
+  Frame& small = quick->frame;
+  small.width /= 2;
+  small.height /= 2;
+  const std::size_t pixels = std::size_t(small.width) * std::size_t(small.height);
+  for (auto* layer :
+       {&small.beauty, &small.transmittance, &small.ambient, &small.emission, &small.background})
+    layer->resize(pixels);
+  small.depth.resize(pixels);
+  return quick;
+}
+
+// While a hand turns a light, what is to be watched stays in sight.
+TEST(Development, AQuickPictureHasTheFiguresOfTheLastThatWasMeasured) {
+  Development how;
+  how.against = half_seen(vec3(0.2f));
+  const auto whole = half_seen(vec3(0.4f));
+  const DevelopedPtr measured = develop(whole, how);
+  EXPECT_FALSE(measured->has_old_figures);
+  const Measured last{how, measured->other, *measured->figures};
+  const auto quick = quick_of(*whole);
+  const DevelopedPtr seen = develop(quick, how, &last);
+  ASSERT_TRUE(seen->figures);
+  EXPECT_TRUE(seen->has_old_figures);
+  EXPECT_EQ(seen->figures->psnr, measured->figures->psnr);
+  EXPECT_EQ(seen->figures->ssim, measured->figures->ssim);
+  // Looked at otherwise they are the same; of other pictures or layers they are not.
+  const auto has_figures = [&](auto change) {
+    Development other = how;
+    change(other);
+    return develop(quick, other, &last)->figures.has_value();
+  };
+  EXPECT_TRUE(has_figures([](Development& d) { d.view.exposure = 2.0f; }));
+  EXPECT_TRUE(has_figures([](Development& d) { d.seen = Seen::difference; }));
+  EXPECT_FALSE(has_figures([](Development& d) { d.against = half_seen(vec3(0.2f)); }));
+  EXPECT_FALSE(has_figures([](Development& d) { d.against = nullptr; }));
+  EXPECT_FALSE(has_figures([](Development& d) { d.layer = "alpha"; }));
+  EXPECT_FALSE(has_figures([](Development& d) { d.solo = {"key"}; }));
+  EXPECT_FALSE(has_figures([](Development& d) { d.solo_ambient = true; }));
+  EXPECT_FALSE(has_figures([](Development& d) { d.matching.exposure = true; }));
+  // One of another size cannot be held against it.
+  const auto other_size = quick_of(*whole);
+  other_size->scene.width = 20;
+  EXPECT_FALSE(develop(other_size, how, &last)->figures);
+}
+
+TEST(Development, FiguresAreKeptFromPictureToPictureAndGoWithThePair) {
+  std::atomic<int> woken{0};
+  Developer developer([&] { ++woken; });
+  const auto developed = [&](const ViewPicturePtr& picture, const Development& how) {
+    const int before = woken;
+    developer.ask(picture, how);
+    while (woken == before) std::this_thread::yield();
+    return developer.developed();
+  };
+  Development how;
+  how.against = half_seen(vec3(0.2f));
+  const auto whole = half_seen(vec3(0.4f));
+  const auto quick = quick_of(*whole);
+  EXPECT_FALSE(developed(quick, how)->figures) << "nothing was measured yet";
+  const double psnr = developed(whole, how)->figures->psnr;
+  for (int i = 0; i < 3; ++i) {
+    const DevelopedPtr seen = developed(quick, how);
+    ASSERT_TRUE(seen->figures && seen->has_old_figures);
+    EXPECT_EQ(seen->figures->psnr, psnr);
+    EXPECT_EQ(seen->against, how.against);
+  }
+  how.against = half_seen(vec3(0.3f));
+  EXPECT_FALSE(developed(quick, how)->figures);
+  EXPECT_NE(developed(whole, how)->figures->psnr, psnr);
+  EXPECT_TRUE(developed(quick, how)->figures);
 }
 
 TEST(Development, ShowsLightsAloneLayersAndAlpha) {
