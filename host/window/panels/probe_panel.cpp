@@ -112,7 +112,7 @@ void ProbePanel::show_light_ray(const Inspection& inspection, vec2 size) {
     plot.marks.push_back({bounds.k_max, colour::faint_text, bounds.dense ? "kmax" : "kmax, thin"});
   }
   plot.marks.push_back({light.k, point_colour, "here"});
-  const double threshold = inspection.question.picture->scene.quality.map.threshold;
+  const double threshold = inspection.threshold;
   plot.thresholds = {threshold, 1.0 - threshold};
   show_plot("##light ray", plot, size);
   help(
@@ -123,7 +123,7 @@ void ProbePanel::show_light_ray(const Inspection& inspection, vec2 size) {
 // left: [points] where it begins in the window.
 void ProbePanel::show_header(Studio& studio, const Inspection& found, float left) {
   ImGui::AlignTextToFramePadding();
-  ImGui::TextDisabled("pixel %d %d", found.question.pixel.x, found.question.pixel.y);
+  ImGui::TextDisabled("pixel %d %d", found.pixel.x, found.pixel.y);
   const float whole = ImGui::GetWindowContentRegionMax().x, mark = scaled(16);
   if (studio.inspector.spot) {
     ImGui::SameLine(whole - mark);
@@ -232,9 +232,9 @@ void ProbePanel::show_found(Studio& studio, float header) {
     show_header(studio, *found, header);
     show_curves(studio, *found);
     if (found->light && found != told_.lock())
-      studio.trace.note(fmt::format("probe {} {} at {:.6g} {} exact {:.5f} map {:.5f}",
-                                    found->question.pixel.x, found->question.pixel.y, found->t,
-                                    found->light->light, mean(found->light->exact), mean(found->light->map)));
+      studio.trace.note(fmt::format("probe {} {} at {:.6g} {} exact {:.5f} map {:.5f}", found->pixel.x,
+                                    found->pixel.y, found->t, found->light->light, mean(found->light->exact),
+                                    mean(found->light->map)));
     told_ = found;
   }
 }

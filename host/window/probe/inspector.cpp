@@ -8,17 +8,19 @@ namespace plinian::window {
 
 namespace {
 
-Inspection inspect(const Inspection::Question& question) {
-  Inspection result{question, {}, 0.0, {}, std::nullopt, ""};
+Inspection inspect(const Inspected& asked) {
+  const SceneSnapshot& scene = asked.picture->scene;
+  Inspection result;
+  result.pixel = asked.pixel;
+  result.threshold = scene.quality.map.threshold;
   try {
-    const SceneSnapshot& scene = question.picture->scene;
     const RayProbe probe(scene);
     for (const Light& light : scene.lights) result.lights.push_back(light.name);
-    result.view = probe.view_ray(question.pixel);
+    result.view = probe.view_ray(asked.pixel);
     if (result.view.samples.empty()) return result;
-    result.t = question.t.value_or(result.view.middle());
+    result.t = asked.t.value_or(result.view.middle());
     if (result.lights.empty()) return result;
-    const auto found = std::find(result.lights.begin(), result.lights.end(), question.light);
+    const auto found = std::find(result.lights.begin(), result.lights.end(), asked.light);
     const auto index = found == result.lights.end() ? 0 : found - result.lights.begin();
     result.light = probe.light_ray(result.view.at(result.t), std::size_t(index));
   } catch (const std::exception& error) {

@@ -15,14 +15,18 @@
 
 namespace plinian::window {
 
+/// What is asked of a picture.
+struct Inspected {
+  ViewPicturePtr picture;
+  ivec2 pixel{0};           // of the picture at rest, from the upper left corner
+  std::optional<double> t;  // [world] on the ray where the light is probed; none: see ViewRayProbe::middle
+  std::string light;        // its name; the first where there is none of it
+};
+
+/// What was found. It holds nothing of the picture, whose volumes are large.
 struct Inspection {
-  struct Question {
-    ViewPicturePtr picture;
-    ivec2 pixel{0};           // of the picture at rest, from the upper left corner
-    std::optional<double> t;  // [world] on the ray where the light is probed; none: see ViewRayProbe::middle
-    std::string light;        // its name; the first where there is none of it
-  };
-  Question question;
+  ivec2 pixel{0};          // that was asked for
+  float threshold = 0.0f;  // [-] transmittance at which light counts as dead in the picture's maps
   ViewRayProbe view;
   double t = 0.0;  // [world] where the light was probed
   std::vector<std::string> lights;
@@ -56,7 +60,7 @@ class Inspector {
   ivec2 asked_pixel_{-1};
   std::optional<double> asked_t_;
   std::string asked_light_;
-  NewestWorker<Inspection::Question, Inspection> worker_;
+  NewestWorker<Inspected, Inspection> worker_;
 };
 
 }  // namespace plinian::window
