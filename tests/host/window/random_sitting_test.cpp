@@ -40,7 +40,7 @@ class RandomHand {
     for (int attempt = 0; attempt < 10; ++attempt) {
       sitting_.resize(screen);  // a larger window takes more
       const std::size_t then = sitting_.now();
-      sitting_.stroke("Escape");  // a dialog, or what is typed
+      for (int i = 0; i < 3; ++i) sitting_.stroke("Escape");  // a field, the dialog it is in, what is typed
       for (const char* entry : {"stop the reference", "compare with nothing"}) {
         sitting_.stroke("Control_L+Shift_L+p");
         sitting_.type(entry);
