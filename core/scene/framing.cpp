@@ -78,6 +78,13 @@ dvec3 direction_from(double azimuth, double elevation) {
   return {std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e)};
 }
 
+SkyAngles angles_of_direction(const dvec3& toward, const dvec3& right) {
+  const double across = std::hypot(toward.x, toward.z);
+  const double azimuth =
+      across > 1e-9 * glm::length(toward) ? std::atan2(toward.x, toward.z) : std::atan2(-right.z, right.x);
+  return {glm::degrees(azimuth), glm::degrees(std::atan2(toward.y, across))};
+}
+
 double default_elevation(const SceneBounds& bounds) {
   const dvec3 size = bounds.maximum - bounds.minimum;
   const double upright = size.y / std::max({size.x, size.z, 1e-30});
@@ -87,7 +94,12 @@ double default_elevation(const SceneBounds& bounds) {
 Camera frame_bounds(Camera lens, const SceneBounds& bounds, double azimuth, double elevation, int width,
                     int height, double fill) {
   const dvec3 centre = bounds.centre(), back = direction_from(azimuth, elevation);
-  Camera camera = look_at(centre + back, centre, dvec3(0, 1, 0), 40.0);  // for its axes alone
+  // Straight from above nothing is up but what the azimuth says.
+  const double a = glm::radians(azimuth);
+  const dvec3 up = std::hypot(back.x, back.z) > 1e-9
+                       ? dvec3(0, 1, 0)
+                       : dvec3(-std::sin(a), 0, -std::cos(a)) * glm::sign(back.y);
+  Camera camera = look_at(centre + back, centre, up, 40.0);  // for its axes alone
   const dvec3 x(camera.world_from_camera[0]), y(camera.world_from_camera[1]), z(camera.world_from_camera[2]);
 
   lens.world_from_camera = dmat4(1.0);

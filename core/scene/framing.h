@@ -23,6 +23,14 @@ SceneBounds scene_bounds(const std::vector<Medium>& media);
 /// from +x; elevation: [degrees] 90 from above (+y).
 dvec3 direction_from(double azimuth, double elevation);
 
+struct SkyAngles {
+  double azimuth = 0.0;    // [degrees] in [-180, 180]: 0 from +z, 90 from +x
+  double elevation = 0.0;  // [degrees] in [-90, 90]: 90 from above (+y)
+};
+/// The angles by which direction_from gives a direction. toward: [world] not 0. right: [world] to the right
+/// of what looks back from there, which tells the azimuth straight above and below.
+SkyAngles angles_of_direction(const dvec3& toward, const dvec3& right);
+
 /// The view direction of a bare volume: three quarters from the front; level or slightly from below for what
 /// stands upright, so that a column towers, and from above for what lies flat.
 inline constexpr double default_azimuth = 30.0;  // [degrees]

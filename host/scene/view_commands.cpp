@@ -83,10 +83,10 @@ CommandResult frame_view(Workspace& workspace, const Arguments& arguments) {
   }
   const SceneBounds bounds = scene_bounds(now.snapshot.media);
   // From where it stands, unless it is told.
-  const dvec3 back(now.snapshot.camera.world_from_camera[2]);
-  const double azimuth = arguments.number("azimuth").value_or(glm::degrees(std::atan2(back.x, back.z)));
-  const double elevation =
-      arguments.number("elevation").value_or(glm::degrees(std::asin(glm::clamp(back.y, -1.0, 1.0))));
+  const dmat4& stands = now.snapshot.camera.world_from_camera;
+  const SkyAngles from = angles_of_direction(dvec3(stands[2]), dvec3(stands[0]));
+  const double azimuth = arguments.number("azimuth").value_or(from.azimuth);
+  const double elevation = arguments.number("elevation").value_or(from.elevation);
   const Camera framed =
       frame_bounds(now.snapshot.camera, bounds, azimuth, elevation, now.snapshot.width, now.snapshot.height);
   dmat4 parent(1.0);

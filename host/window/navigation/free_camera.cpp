@@ -32,11 +32,10 @@ FreeCamera free_camera_at(const Camera& camera, double distance) {
   free.lens = camera;
   free.distance = distance;
   free.interest = dvec3(camera.world_from_camera[3]) - back * distance;
-  free.elevation = glm::degrees(std::asin(std::clamp(back.y, -1.0, 1.0)));
-  // Straight from above, the azimuth is that of what is to the right.
   const dvec3 right(camera.world_from_camera[0]);
-  free.azimuth = std::abs(back.y) < 1.0 - 1e-12 ? glm::degrees(std::atan2(back.x, back.z))
-                                                : glm::degrees(std::atan2(-right.z, right.x));
+  const SkyAngles angles = angles_of_direction(back, right);
+  free.azimuth = angles.azimuth;
+  free.elevation = angles.elevation;
   const dmat4 level = turned(free);
   free.roll = glm::degrees(std::atan2(glm::dot(right, dvec3(level[1])), glm::dot(right, dvec3(level[0]))));
   return free;

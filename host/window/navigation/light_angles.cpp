@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/scene/framing.h"
 #include "host/graph/values/value_text.h"
 
 namespace plinian::window {
@@ -31,14 +30,10 @@ std::optional<SkyAngles> sky_angles(const Placement& placement, const dmat4& wor
   const dmat3 own(matrix_of({.rotate = placement.rotate, .order = placement.order}));
   const dmat3 parent(world_from_parent);
   const dvec3 toward = parent * own[2] * sign_of(placement);
-  const double length = glm::length(toward), determinant = std::abs(glm::determinant(parent));
+  const double determinant = std::abs(glm::determinant(parent));
   const double size = glm::length(parent[0]) * glm::length(parent[1]) * glm::length(parent[2]);
   if (!(determinant > 1e-9 * size)) return std::nullopt;
-  const double across = std::hypot(toward.x, toward.z);
-  const dvec3 side = parent * own[0];
-  const double azimuth =
-      across > 1e-9 * length ? std::atan2(toward.x, toward.z) : std::atan2(-side.z, side.x);
-  return SkyAngles{glm::degrees(azimuth), glm::degrees(std::atan2(toward.y, across))};
+  return angles_of_direction(toward, parent * own[0]);
 }
 
 dvec3 rotation_toward(const SkyAngles& angles, const Placement& placement, const dmat4& world_from_parent) {

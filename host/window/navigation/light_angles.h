@@ -5,21 +5,16 @@
 #include <optional>
 #include <string>
 
+#include "core/scene/framing.h"
 #include "core/scene/placement.h"
 
 namespace plinian::window {
 
-/// Of where a light comes from, in the world.
-struct SkyAngles {
-  double azimuth = 0.0;    // [degrees] in [-180, 180]: 0 from +z, 90 from +x
-  double elevation = 0.0;  // [degrees] in [-90, 90]: 90 from above (+y)
-};
-
 /// Whether lights of that type shine one way, so that they can be turned.
 bool has_direction(const std::string& node_type);
 
-/// Of a light that is placed so under a parent. None where the parent is squeezed to nothing. Straight above
-/// and below, the azimuth is the one that it was turned by.
+/// Where a light comes from, in the world, that is placed so under a parent. None where the parent is
+/// squeezed to nothing. Straight above and below, the azimuth is the one that it was turned by.
 std::optional<SkyAngles> sky_angles(const Placement& placement, const dmat4& world_from_parent);
 
 /// The rotation [degrees about x, y, z] that puts the light there: without a roll about its own direction,

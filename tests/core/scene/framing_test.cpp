@@ -64,6 +64,19 @@ TEST(Framing, BoundsAreThoseOfTheOccupiedVoxelsUnderTheMediumsTransform) {
   EXPECT_EQ(bounds.maximum, dvec3(2, 102, 642));
 }
 
+TEST(Framing, AnglesOfADirectionAreThoseItComesFrom) {
+  for (const double elevation : {-80.0, 0.0, 35.0})
+    for (const double azimuth : {-170.0, -30.0, 0.0, 90.0, 175.0}) {
+      const SkyAngles angles = angles_of_direction(direction_from(azimuth, elevation) * 3.0, dvec3(1, 0, 0));
+      EXPECT_NEAR(angles.azimuth, azimuth, 1e-9);
+      EXPECT_NEAR(angles.elevation, elevation, 1e-9);
+    }
+  // Straight above, what is to the right tells the side: from +x, -z is to the right.
+  const SkyAngles above = angles_of_direction(dvec3(0, 2, 0), dvec3(0, 0, -1));
+  EXPECT_NEAR(above.azimuth, 90.0, 1e-9);
+  EXPECT_EQ(above.elevation, 90.0);
+}
+
 TEST(Framing, ASceneWithoutAnyDensityIsFramedAsAUnitCube) {
   Medium empty;
   empty.volume = std::make_shared<BrickVolume>();

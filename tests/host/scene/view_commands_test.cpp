@@ -20,6 +20,15 @@ TEST(ViewCommands, FrameViewShowsEverythingFromWhereTheCameraLooks) {
   EXPECT_NEAR(w.snapshot().camera.world_from_camera[2].x, 1.0, 1e-9);
 }
 
+TEST(ViewCommands, FrameViewFromStraightAboveKeepsTheSideThatItWasTurnedTo) {
+  TestWorkspace w(small_scene("sphere"));
+  w.run("setAttr camera.rotate -90 40 0\nframeView");
+  const dmat4 stands = w.snapshot().camera.world_from_camera;
+  EXPECT_NEAR(glm::distance(dvec3(stands[0]),
+                            dvec3(std::cos(glm::radians(40.0)), 0.0, -std::sin(glm::radians(40.0)))),
+              0.0, 1e-6);
+}
+
 TEST(ViewCommands, FrameViewGoesOnTellingWhileWorkersMakeTheVolumeAndCanBeGivenUp) {
   TestWorkspace w(small_scene("cloud"));
   w.run("setAttr medium_noise.resolution 96");
