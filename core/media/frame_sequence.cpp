@@ -74,6 +74,13 @@ std::string FramePattern::path(int frame) const {
   return before_ + (frame < 0 ? "-" : "") + digits + after_;
 }
 
+std::string FramePattern::unnumbered() const {
+  std::string path = before_;
+  while (!path.empty() && std::string_view("._-").find(path.back()) != std::string_view::npos)
+    path.pop_back();
+  return path + after_;
+}
+
 std::vector<int> FramePattern::frames_on_disk() const {
   const fs::path beginning(before_);
   const fs::path folder = beginning.has_parent_path() ? beginning.parent_path() : fs::path(".");

@@ -20,6 +20,8 @@ class FramePattern {
   std::string path(int frame) const;
   /// Numbers of the frames that are on the disk, ascending. Only names that path() would write count.
   std::vector<int> frames_on_disk() const;
+  /// The path without the number and what sets it off: "smoke.vdb" of "smoke.####.vdb".
+  std::string unnumbered() const;
   /// The whole path as it was given.
   const std::string& text() const { return text_; }
 

@@ -28,6 +28,12 @@ TEST(FrameSequence, ReadsTheWaysInWhichProgramsWriteSequences) {
   EXPECT_EQ(frame_of("100%full.vdb", 1), "(no pattern)");
 }
 
+TEST(FrameSequence, IsCalledByItsNameWithoutTheNumber) {
+  for (const char* path : {"shots/smoke.####.vdb", "shots/smoke.%04d.vdb", "shots/smoke_$F4.vdb",
+                           "shots/smoke-#.vdb", "shots/smoke####.vdb"})
+    EXPECT_EQ(FramePattern::parse(path)->unnumbered(), "shots/smoke.vdb") << path;
+}
+
 TEST(FrameSequence, FindsItsFilesAndNoOthers) {
   TemporaryFolder folder;
   for (const char* name : {"s.0003.vdb", "s.0001.vdb", "s.0010.vdb", "s.-0002.vdb", "s.12.vdb",
