@@ -94,8 +94,8 @@ void take_facts(const MediumDescription& d, const VdbFacts& facts, Medium& mediu
   if (facts.temperature.empty()) return;
   medium.emission.scale = 1.0f;
   if (!d.emission_scale)
-    told.notes.push_back(fmt::format("{}: '{}' makes it glow (medium.emission_scale=0 turns that off)", name,
-                                     facts.temperature.front().name));
+    told.notes.push_back(fmt::format("{}: '{}' makes it glow ({}.emission_scale=0 turns that off)", name,
+                                     facts.temperature.front().name, d.name.empty() ? "medium" : d.name));
   // Voxels hold kelvin already; a scale per unit of the file is one on top of what they were multiplied by.
   if (d.temperature_scale)
     medium.emission.temperature_scale = float(*d.temperature_scale / facts.temperature_gain);

@@ -1,4 +1,6 @@
 // import of volumes and of neutral scenes.
+#include <filesystem>
+
 #include "core/media/procedural.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/scene_loader.h"
@@ -31,6 +33,13 @@ graph::CommandResult import_input(graph::Session& session, const graph::Argument
   options.vdb_time_limit_s = arguments.number("vdbTimeLimit").value_or(0.0);
   if (arguments.has("vdbTimeLimit") && !(options.vdb_time_limit_s > 0.0))
     throw graph::GraphError("import: -vdbTimeLimit expects a number of seconds above 0");
+  if (arguments.has("name")) {
+    if (!graph::is_node_name(arguments.text("name")))
+      throw graph::GraphError("import: -name: " + graph::shown(arguments.text("name")) +
+                              " cannot name a node: a letter or _, then letters, digits and _");
+    description.media.front().name =
+        free_medium_name(session.graph(), arguments.text("name"), options.name_space);
+  }
   ImportReport report;
   try {
     for (const VolumeOption& option : volume_options())
@@ -47,6 +56,8 @@ graph::CommandResult import_input(graph::Session& session, const graph::Argument
   }
   for (const std::string& line : report.notes) session.note(as_flags(line));
   for (const std::string& line : report.warnings) session.warn(as_flags(line));
+  if (options.media_only && !report.extent.empty())
+    session.note(std::filesystem::path(arguments.text("file")).filename().string() + ": " + report.extent);
   return report.nodes;
 }
 
@@ -71,6 +82,10 @@ void add_scene_importers(graph::Session& session) {
       {"vdbTimeLimit", "SECONDS for reading a .vdb (grows with the file)", graph::ArgumentKind::number});
   declared.push_back({"vdbMemoryLimit", "BYTES for reading a .vdb, such as 4G", graph::ArgumentKind::text});
   flags.insert(flags.end(), {"vdbTimeLimit", "vdbMemoryLimit"});
+  declared.push_back({"name", "of a volume: what its medium is called; a number makes it unique (medium)",
+                      graph::ArgumentKind::text});
+  std::vector<std::string> flags_of_one = flags;  // of what is no scene
+  flags_of_one.push_back("name");
   session.commands().add_flags("import", declared);
   session.file_types().add(
       {.name = "volume",
@@ -78,7 +93,7 @@ void add_scene_importers(graph::Session& session) {
        .plugin = "",
        .extensions = {"vdb"},
        .words = {},
-       .flags = flags,
+       .flags = flags_of_one,
        .import_file = [](graph::Session& s, const graph::Arguments& a) { return import_input(s, a, true); },
        .export_file = {}});
   session.file_types().add(
@@ -87,7 +102,7 @@ void add_scene_importers(graph::Session& session) {
        .plugin = "",
        .extensions = {},
        .words = named_media(),
-       .flags = flags,
+       .flags = flags_of_one,
        .import_file = [](graph::Session& s, const graph::Arguments& a) { return import_input(s, a, true); },
        .export_file = {}});
   session.file_types().add(

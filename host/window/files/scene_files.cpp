@@ -65,10 +65,16 @@ bool SceneFiles::import_whole(const std::string& input) {
     commands_.muted = true;
     scene::ImportOptions options;
     options.progress = [this](double share) { return commands_.tell_progress(share); };
-    const scene::ImportReport report = scene::import_description(session(), describe_input(input), options);
+    SceneDescription description = describe_input(input);
+    if (is_volume(input) && description.media.size() == 1)
+      description.media.front().name =
+          scene::free_medium_name(session().graph(), scene::medium_name_of(input));
+    const scene::ImportReport report = scene::import_description(session(), description, options);
     for (const std::string& line : report.notes) console_.add(LineKind::note, nodes::advice_for_node(line));
     for (const std::string& line : report.warnings)
       console_.add(LineKind::warning, nodes::advice_for_node(line));
+    if (is_volume(input) && !report.extent.empty())
+      console_.add(LineKind::note, fs::path(input).filename().string() + ": " + report.extent);
     done = true;
   } catch (const SceneLoadCancelled&) {
     console_.add(LineKind::note, input + ": cancelled");
@@ -159,6 +165,7 @@ void SceneFiles::add(const std::string& path) {
     if (bare) {
       viewpoint_.begin_anew();
       import_whole(path);
+      select_medium();
       return;
     }
     // Nobody asked for the sample that the program began with.
@@ -166,13 +173,31 @@ void SceneFiles::add(const std::string& path) {
       replace_by(path);
       return;
     }
-    commands_.job = {"reading " + fs::path(path).filename().string()};
-    const bool done = commands_.run_now("import " + graph::quote(path));
-    commands_.job = {};
-    if (!done) return;
+    if (!import_beside(path)) return;
     recent.add(path);
     commands_.later([this] { frame_all(); });
   });
+}
+
+// A volume beside what there is: called after its file, and selected to be put where it belongs. One step of
+// undo.
+bool SceneFiles::import_beside(const std::string& path) {
+  const std::string key = commands_.new_merge_key("import");
+  const std::string name =
+      is_volume(path) ? " -name " + scene::free_medium_name(session().graph(), scene::medium_name_of(path))
+                      : "";
+  const graph::NodeId first = session().graph().new_id();
+  commands_.job = {"reading " + fs::path(path).filename().string()};
+  const bool done = commands_.run_now("import " + graph::quote(path) + name, key);
+  commands_.job = {};
+  if (!done) return false;
+  for (const graph::Node* node : session().graph().nodes())
+    if (node->id >= first && node->type->name() == "transform") {
+      commands_.run_now("select " + node->name, key);
+      break;
+    }
+  session().history().end_merge();
+  return true;
 }
 
 void SceneFiles::autosave_if_due(bool hand_on) {

@@ -58,6 +58,7 @@ class SceneFiles {
   void keep_unsaved();
   bool import_whole(const std::string& input);
   bool replace_by(const std::string& input);
+  bool import_beside(const std::string& path);
   void select_medium();
   graph::Session& session() { return workspace_.session(); }
 

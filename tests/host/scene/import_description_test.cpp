@@ -262,7 +262,7 @@ TEST(ImportCommand, AVolumeComesAloneAndANeutralSceneWithAllItHas) {
   std::vector<std::string> notes;
   w.session().on_note = [&](const std::string& line) { notes.push_back(line); };
   EXPECT_EQ(w.run("import " + folder / "a.vdb"), "medium_place\nmedium\nmedium_file\nmedium_shape");
-  EXPECT_EQ(notes.size(), 2u) << "orientation and density scale";
+  EXPECT_EQ(notes.size(), 3u) << "orientation, density scale, how large it is and where";
   EXPECT_EQ(w.run("ls -type camera"), "");
   EXPECT_EQ(w.run("ls -type renderSettings"), "settings");
   EXPECT_EQ(w.run("import " + folder / "a.vdb" + " -namespace second\nls second:*"),
@@ -278,6 +278,40 @@ TEST(ImportCommand, AVolumeComesAloneAndANeutralSceneWithAllItHas) {
   // One step of undo each.
   w.run("undo 3");
   EXPECT_EQ(w.run("ls"), "time1");
+}
+
+TEST(ImportCommand, CallsAMediumAsItIsToldAndSaysHowLargeItIsAndWhere) {
+  TestWorkspace w;
+  std::vector<std::string> notes;
+  w.session().on_note = [&](const std::string& line) { notes.push_back(line); };
+  EXPECT_EQ(w.run("import sphere -name smoke"), "smoke_place\nsmoke\nsmoke_shape");
+  EXPECT_EQ(notes.back(), "sphere: 2 x 2 x 2 m at (0, 0, 0)");
+  EXPECT_EQ(w.run("import box -name smoke"), "smoke1_place\nsmoke1\nsmoke1_shape")
+      << "what belongs together has one number";
+  w.run("createNode transform -name fire_place");
+  EXPECT_EQ(w.run("import box -name fire").substr(0, 5), "fire1");
+  EXPECT_EQ(w.run("import box").substr(0, 12), "medium_place");
+  EXPECT_EQ(w.run("import box -name camera").substr(0, 7), "camera1") << "a camera may still come";
+  EXPECT_NE(w.refusal("import box -name 3d").find("-name: '3d' cannot name a node"), std::string::npos)
+      << w.refusal("import box -name 3d");
+}
+
+TEST(ImportCommand, MediaAreCalledAfterTheirFiles) {
+  EXPECT_EQ(medium_name_of("shots/smoke.vdb"), "smoke");
+  EXPECT_EQ(medium_name_of("shots/smoke.####.vdb"), "smoke");
+  EXPECT_EQ(medium_name_of("old take/fire-ball v2.vdb"), "fire_ball_v2");
+  EXPECT_EQ(medium_name_of("3d.vdb"), "_3d");
+  EXPECT_EQ(medium_name_of("####.vdb"), "medium");
+}
+
+TEST(ImportCommand, TellsOfAnExtentWithAsManyFiguresAsOneReads) {
+  SceneBounds bounds;
+  bounds.minimum = {-1.0502, 0.0, -1.0};
+  bounds.maximum = {1.0498, 3.0, 1.0};
+  EXPECT_EQ(extent_text(bounds), "2.1 x 3 x 2 m at (0, 1.5, 0)");
+  bounds.minimum = {1000.0, 0.0, 0.0};
+  bounds.maximum = {13345.6, 2.0, 4000.0};
+  EXPECT_EQ(extent_text(bounds), "12300 x 2 x 4000 m at (7200, 0, 2000)");
 }
 
 TEST(ImportCommand, WhatASceneHasOneOfStaysOutOfNamespaces) {

@@ -99,12 +99,12 @@ TEST_F(DaySitting, AVolumeIsDroppedTunedComparedTakenBackAndSaved) {
   EXPECT_LT(psnr(dropped, picture().rgb), 30.0);
 
   before = sitting.now();
-  const ivec2 density = sitting.middle("medium.density_scale");
+  const ivec2 density = sitting.middle("smoke.density_scale");
   sitting.drag(density, density + ivec2(70, 0));
   sitting.move(nowhere);
   wait_for_rest(sitting, before);
   sitting.keep("day-04-denser.png");
-  const std::string denser = last_command("setAttr medium.density_scale", before);
+  const std::string denser = last_command("setAttr smoke.density_scale", before);
   EXPECT_NE(denser, "");
 
   before = sitting.now();
@@ -133,7 +133,7 @@ TEST_F(DaySitting, AVolumeIsDroppedTunedComparedTakenBackAndSaved) {
 
   // What stands there now is what a script of the same commands makes.
   choose("Control_L+Shift_L+s", sitting.folder() / "tuned.plinian", "save", "day-08-save-as.png");
-  const std::string import = "import " + smoke_.string() + " -setup\n";
+  const std::string import = "import " + smoke_.string() + " -setup -name smoke\n";
   EXPECT_EQ(text_of(sitting.folder() / "tuned.plinian"), batch(import + denser + "\n" + turned + "\n"));
 
   // The reference is of the scene's camera, as it was before all this.

@@ -80,9 +80,9 @@ TEST_F(FilesSitting, ABookmarkLeadsToAVolumeWhoseGridsAreChosenFromAList) {
   sitting.keep("files-opened.png");
 
   // Its grids are listed with what they are.
-  sitting.click(sitting.middle("node medium_file"));
+  sitting.click(sitting.middle("node explosion_file"));
   before = sitting.now();
-  sitting.click(sitting.middle("medium_file.grid list"));
+  sitting.click(sitting.middle("explosion_file.grid list"));
   sitting.item("grid density");
   sitting.wait_for(" still", sitting.now());
   sitting.keep("files-grids-by-name.png");
@@ -92,17 +92,17 @@ TEST_F(FilesSitting, ABookmarkLeadsToAVolumeWhoseGridsAreChosenFromAList) {
   sitting.wait_for(" still", sitting.now());
   sitting.keep("files-grids.png");
   sitting.click(other);
-  const std::size_t chosen = sitting.wait_for("ran setAttr medium_file.grid \"temperature\"", before);
+  const std::size_t chosen = sitting.wait_for("ran setAttr explosion_file.grid \"temperature\"", before);
   sitting.wait_for(" picture ", chosen);
   sitting.keep("files-grid-chosen.png");
   // A name can still be typed.
-  sitting.click(sitting.middle("medium_file.grid") - ivec2(20, 0));
+  sitting.click(sitting.middle("explosion_file.grid") - ivec2(20, 0));
   sitting.wait_for_keys("keys to a field");
   before = sitting.now();
   sitting.stroke("Control_L+a");
   sitting.type("density");
   sitting.stroke("Return");
-  sitting.wait_for("ran setAttr medium_file.grid \"density\"", before);
+  sitting.wait_for("ran setAttr explosion_file.grid \"density\"", before);
 }
 
 TEST_F(FilesSitting, AnAttributeThatNamesAFileIsChosenInTheBrowser) {
@@ -110,9 +110,9 @@ TEST_F(FilesSitting, AnAttributeThatNamesAFileIsChosenInTheBrowser) {
   Sitting sitting({(shots_ / "ash.vdb").string()}, {1280, 700});
   std::size_t before = sitting.now();
   wait_for_rest(sitting, 0);
-  sitting.click(sitting.middle("node medium_file"));
-  sitting.wait_for(" still", sitting.wait_for("item \"medium_file.file browse\"", before));
-  sitting.click(sitting.middle("medium_file.file browse"));
+  sitting.click(sitting.middle("node ash_file"));
+  sitting.wait_for(" still", sitting.wait_for("item \"ash_file.file browse\"", before));
+  sitting.click(sitting.middle("ash_file.file browse"));
   sitting.wait_for("folder " + shots_.string() + " lists 4", before);
   sitting.wait_for_keys("keys to a field");
   sitting.wait_for(" still", sitting.now());
@@ -121,7 +121,7 @@ TEST_F(FilesSitting, AnAttributeThatNamesAFileIsChosenInTheBrowser) {
   before = sitting.now();
   sitting.stroke("Down");
   sitting.stroke("Return");
-  const std::string set = "ran setAttr medium_file.file ";
+  const std::string set = "ran setAttr ash_file.file ";
   sitting.wait_for(set + "\"" + (shots_ / "explosion.vdb").string() + "\"", before);
   wait_for_rest(sitting, before);
   sitting.wait_for_keys("keys to the window");

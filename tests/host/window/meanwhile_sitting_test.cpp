@@ -25,10 +25,10 @@ TEST(MeanwhileSitting, ALineThatIsTypedWaitsForTheSceneAndLettersOverPanelsDoNot
   sitting.type("ls");
   sitting.stroke("Return");
   const std::size_t waits = sitting.wait_for("waits ls");
-  sitting.type("rename medium nhood");
+  sitting.type("rename ash nhood");
   sitting.keep("meanwhile-typed.png");
   sitting.stroke("Return");
-  const std::size_t listed = sitting.wait_for("ran ls"), ran = sitting.wait_for("ran rename medium nhood");
+  const std::size_t listed = sitting.wait_for("ran ls"), ran = sitting.wait_for("ran rename ash nhood");
   EXPECT_GT(listed, waits);
   EXPECT_GT(ran, listed) << "in the order in which they were typed";
   wait_for_rest(sitting, ran);

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 
+#include "core/media/vdb_writer.h"
 #include "host/graph/files/scene_writer.h"
 #include "tests/core/scene/temporary_folder.h"
 
@@ -93,6 +95,50 @@ TEST_F(Replacing, ByWhatCannotBeReadLeavesTheSceneAsItIsWithOneLine) {
   work_off();
   EXPECT_EQ(scene(), before);
   EXPECT_TRUE(viewpoint.look.free);
+}
+
+TEST_F(Replacing, AVolumeThatIsAddedIsCalledAfterItsFileSelectedAndToldOf) {
+  BrickVolumeBuilder builder;
+  const std::vector<float> voxels(BrickVolumeBuilder::block_voxels, 1.0f);
+  builder.add({0, 0, 0}, voxels.data());
+  write_vdb(folder / "smoke.vdb", builder.build(dmat4(1.0)));
+  session().execute("createNode camera");
+  const std::string before = scene();
+  const std::size_t steps = session().history().undo_names().size();
+  bool framed = false;
+  files->frame_all = [&] { framed = true; };
+  for (const char* name : {"smoke", "smoke1"}) {
+    files->add(folder / "smoke.vdb");
+    work_off();
+    EXPECT_EQ(errors(), 0) << console.lines().back().text;
+    for (const char* part : {"", "_place", "_shape", "_file"})
+      EXPECT_TRUE(session().graph().find(std::string(name) + part)) << name << part;
+    ASSERT_EQ(session().graph().selection().size(), 1u);
+    EXPECT_EQ(session().graph().find(session().graph().selection()[0])->name, std::string(name) + "_place");
+    const auto& lines = console.lines();
+    EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [](const ConsoleLine& line) {
+      return line.kind == LineKind::note && line.text.starts_with("smoke.vdb: ") &&
+             line.text.find(" m at (") != std::string::npos;
+    }));
+    EXPECT_TRUE(framed);
+  }
+  EXPECT_EQ(session().history().undo_names().size(), steps + 2) << "each is one step";
+  session().history().undo();
+  session().history().undo();
+  EXPECT_EQ(scene(), before);
+}
+
+TEST_F(Replacing, AVolumeThatIsOpenedIsCalledAfterItsFileToo) {
+  BrickVolumeBuilder builder;
+  const std::vector<float> voxels(BrickVolumeBuilder::block_voxels, 1.0f);
+  builder.add({0, 0, 0}, voxels.data());
+  write_vdb(folder / "old smoke.vdb", builder.build(dmat4(1.0)));
+  files->begin_anew(folder / "old smoke.vdb");
+  work_off();
+  EXPECT_EQ(errors(), 0);
+  ASSERT_TRUE(session().graph().find("old_smoke"));
+  EXPECT_EQ(session().graph().selection(),
+            std::vector<graph::NodeId>{session().graph().find("old_smoke")->id});
 }
 
 // As a volume that is dropped on the sample that the program began with.
