@@ -5,6 +5,7 @@
 #include "host/graph/edits/kept_connections.h"
 #include "host/graph/files/attribute_declaration.h"
 #include "host/graph/graph_error.h"
+#include "host/graph/model/conversion.h"
 
 namespace plinian::graph {
 
@@ -18,7 +19,16 @@ AttributeSpec spec_of(const Graph& graph, const Plug& plug) {
   return spec;
 }
 
-void set_one(Session& session, const Plug& plug, std::span<const Word> words) {
+// As it is stored, not as it is driven.
+std::string words_now(const Graph& graph, const Plug& plug) {
+  const Value& value = graph.find(plug.node)->value(plug.attribute, plug.element);
+  return plug.component < 0
+             ? write_value(graph.attribute(plug).spec, value, graph.names())
+             : write_value(spec_of(graph, plug), component_of(value, plug.component), graph.names());
+}
+
+// Returns whether the value holds as it was given.
+bool set_one(Session& session, const Plug& plug, std::span<const Word> words) {
   const Graph& graph = session.graph();
   const std::string name = graph.name_of(plug);
   if (const std::string problem = session.editor().set_problem(plug); !problem.empty())
@@ -29,12 +39,10 @@ void set_one(Session& session, const Plug& plug, std::span<const Word> words) {
   } catch (const GraphError& error) {
     throw GraphError(name + " " + error.what());
   }
-  if (!session.editor().set(plug, value)) {
-    const Node& node = *graph.find(plug.node);
-    session.warn(
-        name + " is out of its range (" + expectation(graph.attribute(plug).spec) + ") and was set to " +
-        write_value(graph.attribute(plug).spec, node.value(plug.attribute, plug.element), graph.names()));
-  }
+  if (session.editor().set(plug, value)) return true;
+  session.warn(name + " is out of its range (" + expectation(graph.attribute(plug).spec) +
+               ") and was set to " + words_now(graph, plug.whole()));
+  return false;
 }
 
 // What a pattern may mean.
@@ -47,25 +55,31 @@ std::vector<Plug> matching_inputs(const Graph& graph, const std::vector<std::str
   return matching_plugs(graph, patterns, [&](const Plug& plug) { return is_input(graph, plug); });
 }
 
-void set_plug(Session& session, const Plug& plug, const std::vector<Word>& words) {
+// Returns the plug with the values that it has now, where they are not all as they were given.
+std::string set_plug(Session& session, const Plug& plug, const std::vector<Word>& words) {
   const Graph& graph = session.graph();
-  const std::vector<Plug> leaves = leaf_plugs(graph, plug);
   const bool compound = graph.attribute(plug).spec.type == AttributeType::compound;
-  if (!compound) {
-    set_one(session, plug, words);
-  } else if (words.size() == leaves.size()) {
-    // A compound of single values is set as a vector is.
-    for (std::size_t i = 0; i < leaves.size(); ++i)
-      set_one(session, leaves[i], std::span(words).subspan(i, 1));
-  } else {
+  // A compound of single values is set as a vector is.
+  const std::vector<Plug> leaves = compound ? leaf_plugs(graph, plug) : std::vector{plug};
+  if (compound && words.size() != leaves.size())
     throw GraphError(graph.name_of(plug) + " expects " + std::to_string(leaves.size()) +
                      " values, one for each of its parts");
-  }
+  bool holds = true;
+  for (std::size_t i = 0; i < leaves.size(); ++i)
+    holds &= set_one(session, leaves[i], compound ? std::span(words).subspan(i, 1) : std::span(words));
+  if (holds) return "";
+  std::string now = graph.name_of(plug);
+  for (const Plug& leaf : leaves) now += " " + words_now(graph, leaf);
+  return now;
 }
 
 CommandResult set_attr(Session& session, const Arguments& arguments) {
-  for (const Plug& plug : matching_inputs(session.graph(), {arguments.text("plug")}))
-    set_plug(session, plug, arguments.words("value"));
+  const std::vector<Plug> plugs = matching_inputs(session.graph(), {arguments.text("plug")});
+  for (const Plug& plug : plugs) {
+    const std::string now = set_plug(session, plug, arguments.words("value"));
+    // What several were set to has no line of its own.
+    if (!now.empty() && plugs.size() == 1) session.echo_as("setAttr " + now);
+  }
   return {};
 }
 

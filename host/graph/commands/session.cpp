@@ -41,6 +41,10 @@ void Session::warn(const std::string& line) const {
   if (on_warning) on_warning(line);
 }
 
+void Session::echo_as(std::string line) {
+  if (running_.size() == 1) echo_ = std::move(line);
+}
+
 // Listeners hear of the outermost of what is done.
 class Session::Doing {
  public:
@@ -89,6 +93,7 @@ CommandResult Session::execute(const CommandSpec& spec, const Arguments& argumen
   if (spec.handles_history && running_.size() > 1)
     throw GraphError(spec.name + ": cannot be run by another command");
   const std::string call = write_call(spec, arguments);
+  if (running_.size() == 1) echo_.clear();
   CommandResult result;
   if (spec.handles_history) {
     result = spec.run(*this, arguments);
@@ -96,7 +101,7 @@ CommandResult Session::execute(const CommandSpec& spec, const Arguments& argumen
     const History::Scope scope(history_, call, merge_key);
     result = spec.run(*this, arguments);
   }
-  if (running_.size() == 1 && on_echo) on_echo(call);
+  if (running_.size() == 1 && on_echo) on_echo(echo_.empty() ? call : echo_);
   doing.succeeded();
   return result;
 }

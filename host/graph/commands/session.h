@@ -55,6 +55,9 @@ class Session {
   /// Hears of every command that ran, as the line that would run it again, of warnings, and of what was
   /// assumed.
   std::function<void(const std::string&line)> on_echo, on_warning, on_note;
+  /// The line that the command which runs is echoed by, where that is another than it was called by: with the
+  /// value that holds. Nothing to a command that another one runs.
+  void echo_as(std::string line);
   /// Hears how far a command has come that takes its time [0, 1]; returning false cancels it.
   std::function<bool(double share)> on_progress;
   void warn(const std::string& line) const;
@@ -109,6 +112,7 @@ class Session {
   std::string scene_path_;
   bool read_only_ = false;
   std::vector<std::string> running_;  // commands, each run by the one before it
+  std::string echo_;                  // of the first of them; empty: as it was called
 };
 
 /// A script that an interrupt (Evaluator::set_interrupt) has ended; names file and line.

@@ -13,15 +13,28 @@ CommandQueue::CommandQueue(graph::Session& session, ConsoleLog& console, Trace& 
     : session_(session), console_(console), trace_(trace) {
   session_.on_echo = [this](const std::string& line) {
     if (!muted) console_.echo(line, merge_key_);
+    say_the_rest();
   };
-  session_.on_warning = [this](const std::string& line) { console_.add(LineKind::warning, line); };
-  session_.on_note = [this](const std::string& line) { console_.add(LineKind::note, line); };
+  session_.on_warning = [this](const std::string& line) { say(LineKind::warning, line); };
+  session_.on_note = [this](const std::string& line) { say(LineKind::note, line); };
   session_.on_progress = [this](double share) { return tell_progress(share); };
 }
 
 CommandQueue::~CommandQueue() {
   session_.on_echo = session_.on_warning = session_.on_note = nullptr;
   session_.on_progress = nullptr;
+}
+
+// What a command has to say stands behind it.
+void CommandQueue::say(LineKind kind, const std::string& line) {
+  if (is_running_)
+    said_.push_back({kind, line});
+  else
+    console_.add(kind, line);
+}
+
+void CommandQueue::say_the_rest() {
+  for (const ConsoleLine& line : std::exchange(said_, {})) console_.add(line.kind, line.text);
 }
 
 void CommandQueue::run(const std::string& line, const std::string& merge_key, bool typed) {
@@ -39,16 +52,21 @@ bool CommandQueue::run_now(const std::string& line, const std::string& merge_key
     line_ = line;
     began_ = std::chrono::steady_clock::now();
   }
+  is_running_ = true;
   try {
     for (const std::string& answer : session_.execute(line, merge_key))
       if (typed) console_.add(LineKind::answer, answer);
     done = true;
   } catch (const SceneLoadCancelled&) {
+    say_the_rest();
     console_.add(LineKind::note, line + ": cancelled");
   } catch (const std::exception& error) {
     if (typed) console_.add(LineKind::command, line);
+    say_the_rest();
     console_.add(LineKind::error, error.what());
   }
+  is_running_ = false;
+  say_the_rest();
   merge_key_.clear();
   if (alone) job = {};
   if (done && ran) ran(line);

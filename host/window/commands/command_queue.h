@@ -58,9 +58,14 @@ class CommandQueue {
   ConsoleLog& console_;
   Trace& trace_;
   std::vector<std::function<void()>> tasks_;
+  void say(LineKind kind, const std::string& line);
+  void say_the_rest();
+
   std::string merge_key_;  // of the command that runs
   std::string line_;       // the command that runs by itself, and since when
   std::chrono::steady_clock::time_point began_{};
+  std::vector<ConsoleLine> said_;  // by the command that runs: comes behind its echo
+  bool is_running_ = false;
   std::uint64_t drags_ = 0;
   std::chrono::steady_clock::time_point drawn_meanwhile_{};
 };

@@ -59,6 +59,11 @@ std::string problem_of(Studio& studio, const graph::Node& node, const LightStand
   return "";
 }
 
+std::string limit_line(const std::string& light, double elevation, double holds) {
+  return light + ": an elevation of " + shown_number(elevation) +
+         " is out of its range (a number from -90 to 90) and was set to " + shown_number(holds);
+}
+
 // The light itself, then the others that are selected.
 std::vector<const graph::Node*> lights_of(const graph::Graph& graph, const graph::Node& node) {
   std::vector<const graph::Node*> lights = {&node};
@@ -129,6 +134,10 @@ void AngleRows::show_angle(Studio& studio, const graph::Node& node, DrivenValues
   if (const auto number = typed_number(*edit.typed, shown)) {
     turn(*number, studio.commands.new_merge_key("set"));
     studio.commands.end_drag();
+    if (const double holds = is_azimuth ? *number : std::clamp(*number, -90.0, 90.0); holds != *number)
+      studio.commands.later([&studio, line = limit_line(node.name, *number, holds)] {
+        studio.console.add(LineKind::warning, line);  // behind what it did
+      });
   } else {
     studio.console.add(LineKind::error, "'" + *edit.typed + "' is no number of degrees");
   }

@@ -43,6 +43,16 @@ TEST_F(Commands, OneThatIsCalledOffLeavesNothingAndTheNextOneRuns) {
   EXPECT_NE(scene(), before);
 }
 
+TEST_F(Commands, WhatOneHasToSayStandsBehindItAndWithTheValueThatHolds) {
+  commands.run_now("createNode camera -name cam");
+  commands.run_now("setAttr cam.focal_length -5", "", true);
+  const auto& lines = console.lines();
+  ASSERT_GE(lines.size(), 2u);
+  EXPECT_EQ(lines[lines.size() - 2].text, "setAttr cam.focal_length 0.1");
+  EXPECT_EQ(last_line().kind, LineKind::warning);
+  EXPECT_EQ(last_line().text, "cam.focal_length is out of its range (a number >= 0.1) and was set to 0.1");
+}
+
 TEST_F(Commands, CallingOffWhenNothingRunsMeansNothingToWhatComes) {
   commands.job.cancelled = true;  // as Escape does
   EXPECT_TRUE(commands.run_now("import -setup sphere")) << last_line().text;

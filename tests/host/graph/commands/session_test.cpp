@@ -34,6 +34,19 @@ TEST(Session, ClampsAndSaysSo) {
   EXPECT_EQ(s.run("getAttr e.count"), "100");
   EXPECT_EQ(s.warnings, std::vector<std::string>{
                             "e.count is out of its range (an integer from 0 to 100) and was set to 100"});
+  EXPECT_EQ(s.echoes.back(), "getAttr e.count");
+}
+
+TEST(Session, EchoesTheValueThatHolds) {
+  TestSession s;
+  s.run("createNode every -name e1\ncreateNode every -name e2\nsetAttr e1.count 700");
+  EXPECT_EQ(s.echoes.back(), "setAttr e1.count 100");
+  s.run("setAttr e1.weight -0.5");
+  EXPECT_EQ(s.echoes.back(), "setAttr e1.weight 0");
+  s.run("setAttr e1.weight 0.25");
+  EXPECT_EQ(s.echoes.back(), "setAttr e1.weight 0.25");
+  s.run("setAttr e?.count 700");
+  EXPECT_EQ(s.echoes.back(), "setAttr e?.count 700") << "several have no value in common";
 }
 
 TEST(Session, SaysWhatComputedValuesTakeAndLetsGoOfThem) {
