@@ -1,4 +1,5 @@
 // createNode, delete, rename, duplicate, parent.
+#include "core/scene/nearest_word.h"
 #include "host/graph/commands/session.h"
 #include "host/graph/graph_error.h"
 
@@ -46,7 +47,16 @@ CommandResult create_node(Session& session, const Arguments& arguments) {
 }
 
 CommandResult delete_nodes(Session& session, const Arguments& arguments) {
-  session.editor().delete_nodes(nodes_or_selection(session, arguments.texts("nodes")));
+  std::vector<NodeId> nodes = nodes_or_selection(session, arguments.texts("nodes"));
+  if (arguments.has("inputs")) {
+    const std::vector<NodeId> more = session.editor().served_only(nodes);
+    std::vector<NodeId> told = more;  // curves go with what they drive in any case
+    std::erase_if(told, [&](NodeId id) { return session.graph().find(id)->type->spec().follows; });
+    if (!told.empty())
+      session.note("delete: " + join(names_of(session.graph(), told)) + " too, which served nothing else");
+    nodes.insert(nodes.end(), more.begin(), more.end());
+  }
+  session.editor().delete_nodes(nodes);
   return {};
 }
 
@@ -90,6 +100,7 @@ void add_node_commands(CommandRegistry& commands) {
       {.name = "delete",
        .help = "Deletes nodes, what is under them, and curves that drove nothing else.",
        .parameters = {{"nodes", node, "names or patterns with * and ?; else the selection", true, true}},
+       .flags = {{"inputs", "and what drove nothing but them: of a volume its medium and its file", {}}},
        .run = delete_nodes});
   commands.add(
       {.name = "rename",

@@ -84,8 +84,9 @@ void Editor::disconnect_all(NodeId id) {
     history_.perform(SetInput{{id, input->attribute, input->element, input->component}, std::nullopt});
 }
 
-// Nodes that would be left driving nothing once `doomed` are gone, and that only exist to drive.
-std::vector<NodeId> Editor::followers(const std::vector<NodeId>& doomed) const {
+// Nodes that would be left driving nothing once `doomed` are gone, of those that go then.
+std::vector<NodeId> Editor::followers(const std::vector<NodeId>& doomed,
+                                      const std::function<bool(const Node&)>& goes) const {
   std::set<NodeId> gone(doomed.begin(), doomed.end());
   std::vector<NodeId> result, queue = doomed;
   while (!queue.empty()) {
@@ -93,7 +94,7 @@ std::vector<NodeId> Editor::followers(const std::vector<NodeId>& doomed) const {
     queue.pop_back();
     for (const Input& input : graph_.find(id)->inputs) {
       const NodeId driver = input.source.node;
-      if (gone.contains(driver) || !graph_.find(driver)->type->spec().follows) continue;
+      if (gone.contains(driver) || !goes(*graph_.find(driver))) continue;
       const auto& outgoing = graph_.outgoing(driver);
       if (!std::all_of(outgoing.begin(), outgoing.end(),
                        [&](const Connection& c) { return gone.contains(c.destination.node); }))
@@ -106,10 +107,22 @@ std::vector<NodeId> Editor::followers(const std::vector<NodeId>& doomed) const {
   return result;
 }
 
+std::vector<NodeId> Editor::served_only(const std::vector<NodeId>& nodes) const {
+  std::set<NodeId> drives_unknown;
+  for (const Node* node : graph_.nodes())
+    for (const KeptLine& line : node->kept) drives_unknown.insert(line.source);
+  return followers(with_descendants(graph_, nodes), [&](const Node& node) {
+    const NodeTypeSpec& spec = node.type->spec();
+    return !spec.hierarchical && !spec.unique && !node.type->is_unknown() &&
+           !drives_unknown.contains(node.id);
+  });
+}
+
 void Editor::delete_nodes(const std::vector<NodeId>& nodes) {
   const History::Scope scope(history_, "delete");
   std::vector<NodeId> doomed = with_descendants(graph_, nodes);
-  const auto more = followers(doomed);
+  // Those that only exist to drive, as curves do.
+  const auto more = followers(doomed, [](const Node& node) { return node.type->spec().follows; });
   doomed.insert(doomed.end(), more.begin(), more.end());
   const std::set<NodeId> gone(doomed.begin(), doomed.end());
   std::vector<NodeId> selected = graph_.selection();

@@ -2,6 +2,7 @@
 // undo; what cannot be throws GraphError in one line and changes nothing.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ class Editor {
   NodeId add_node(Node node);
   /// Deletes nodes, what is under them, their connections, and what drove nothing else (animation curves).
   void delete_nodes(const std::vector<NodeId>& nodes);
+  /// What would drive nothing once the nodes and what is under them are gone, and drives them now: neither
+  /// what has a place in the transform hierarchy nor what a scene has one of.
+  std::vector<NodeId> served_only(const std::vector<NodeId>& nodes) const;
   /// Returns the name that it got: a number makes it unique.
   std::string rename(NodeId node, const std::string& name);
   /// Copies of the nodes and of what is under them, with values, and driven by what drives the originals: by
@@ -72,7 +76,8 @@ class Editor {
   void connect_one(const Plug& source, Plug destination, bool replace);
   void set_stored(const Plug& plug, std::optional<Value> value);
   void disconnect_all(NodeId node);
-  std::vector<NodeId> followers(const std::vector<NodeId>& doomed) const;
+  std::vector<NodeId> followers(const std::vector<NodeId>& doomed,
+                                const std::function<bool(const Node&)>& goes) const;
 
   Graph& graph_;
   History& history_;

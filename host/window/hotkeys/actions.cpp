@@ -109,7 +109,7 @@ void act(Studio& studio, Action action) {
       studio.ask_save_as = true;
       return;
     case Action::delete_nodes:
-      if (selected) studio.run("delete");
+      if (selected) studio.run("delete -inputs");  // what only served it is of no use to anybody
       return;
     case Action::duplicate_nodes:
       if (selected) studio.run("duplicate");

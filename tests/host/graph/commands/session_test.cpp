@@ -49,6 +49,27 @@ TEST(Session, EchoesTheValueThatHolds) {
   EXPECT_EQ(s.echoes.back(), "setAttr e?.count 700") << "several have no value in common";
 }
 
+TEST(Session, DeletesWhatServedNothingElse) {
+  TestSession s;
+  std::vector<std::string> notes;
+  s.on_note = [&](const std::string& line) { notes.push_back(line); };
+  s.run(
+      "createNode group -name place\ncreateNode shape -name ball -parent place\n"
+      "createNode sum -name own\ncreateNode sum -name before\ncreateNode sum -name shared\n"
+      "createNode sum -name other\ncreateNode group -name rig\n"
+      "connectAttr before.out own.a\nconnectAttr own.out ball.size\nconnectAttr shared.out own.b\n"
+      "connectAttr shared.out other.a\nconnectAttr rig.visibility before.a");
+  const std::string all = s.run("ls");
+  s.run("delete place");
+  EXPECT_EQ(s.run("ls own before"), "own\nbefore") << "unless it is asked for";
+  s.run("undo");
+  s.run("delete -inputs place");
+  EXPECT_EQ(s.run("ls"), "time1\nshared\nother\nrig");
+  EXPECT_EQ(notes, std::vector<std::string>{"delete: own, before too, which served nothing else"});
+  s.run("undo");
+  EXPECT_EQ(s.run("ls"), all) << "in one step";
+}
+
 TEST(Session, SaysWhatComputedValuesTakeAndLetsGoOfThem) {
   TestSession s;
   EXPECT_EQ(s.run("cache -limit 64"), "0 of 64 MiB");
