@@ -148,12 +148,13 @@ void Studio::render_reference() {
   if (subject_) comparison.render_reference(*subject_, subject_number_);
 }
 
-void Studio::start_playblast(const PlayblastSettings& settings) {
+std::string Studio::start_playblast(const PlayblastSettings& settings) {
   try {
     playblast.start(settings, graph::write_scene(session().graph()), session().scene_folder());
   } catch (const std::exception& error) {
-    console.add(LineKind::error, error.what());
+    return error.what();
   }
+  return "";
 }
 
 void Studio::update_playblast() {

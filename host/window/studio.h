@@ -94,8 +94,8 @@ class Studio {
   SceneFiles files;
   GridLists grids;
   Playblast playblast;
-  /// Errors go to the console.
-  void start_playblast(const PlayblastSettings& settings);
+  /// Returns why it cannot begin, one line; empty where it does.
+  std::string start_playblast(const PlayblastSettings& settings);
   /// Tells the console how it ended. To be called once a turn.
   void update_playblast();
 

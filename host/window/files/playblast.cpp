@@ -15,6 +15,7 @@
 
 #include "core/files/atomic_file.h"
 #include "core/image/image_io.h"
+#include "core/media/frame_sequence.h"
 
 extern char** environ;
 
@@ -34,7 +35,7 @@ std::string find_program(const std::string& name) {
 }
 
 bool is_film(const std::string& output) {
-  return fs::path(output).extension() == ".mp4";
+  return output.ends_with(".mp4");
 }
 
 std::string last_line(const std::string& text) {
@@ -46,6 +47,17 @@ std::string last_line(const std::string& text) {
 }
 
 }  // namespace
+
+std::string as_format(const std::string& output, const std::string& extension) {
+  const auto pattern = FramePattern::parse(output);
+  std::string path = pattern && is_film(extension) ? pattern->unnumbered() : output;
+  // "shot.####" has none yet: what it ends in is the place of the number.
+  const std::string ends = fs::path(path).extension().string();
+  if (ends.size() < 2 || std::string_view("#%$").find(ends[1]) == std::string_view::npos)
+    path = fs::path(path).replace_extension().string();
+  if (is_film(output) && !is_film(extension) && !pattern) path += ".####";
+  return path + extension;
+}
 
 std::string view_words(const ViewSettings& view) {
   if (view.view == View::srgb) return "srgb";

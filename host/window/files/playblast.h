@@ -24,6 +24,10 @@ struct PlayblastSettings {
   ViewSettings view;
 };
 
+/// The output with another extension, ".png": a film is one file, and has no place for a frame's number; what
+/// is numbered has one, "shot.####.png" of "shot.mp4".
+std::string as_format(const std::string& output, const std::string& extension);
+
 /// "filmic", "ocio:DISPLAY/VIEW": a view as `render --view` takes it.
 std::string view_words(const ViewSettings& view);
 

@@ -31,6 +31,7 @@ double number_of(const graph::Node& node, const char* name) {
 
 void PlayblastDialog::open(Studio& studio) {
   opens_ = true;
+  problem_.clear();
   if (const graph::Node* time = scene::first_of_type(studio.session().graph(), "time")) {
     first_ = int(number_of(*time, "start"));
     last_ = int(number_of(*time, "end"));
@@ -44,12 +45,34 @@ void PlayblastDialog::open(Studio& studio) {
 // What a path ends in says what is written; where it says nothing, what was chosen last.
 void PlayblastDialog::set_path(const std::string& path) {
   path_ = path;
+  problem_.clear();
   const std::string ends = fs::path(path).extension().string();
   const bool says_nothing =
       ends.size() < 2 || std::string_view("#%$").find(ends[1]) != std::string_view::npos;
   if (says_nothing && fs::path(path).has_filename()) path_ += extensions[format_];
   for (int i = 0; i < 3; ++i)
     if (ends == extensions[i] && (i < 2 || Playblast::has_ffmpeg())) format_ = i;
+  if (path_.ends_with(".mp4")) path_ = as_format(path_, ".mp4");
+}
+
+// Begins it, or says why not.
+void PlayblastDialog::render(Studio& studio) {
+  PlayblastSettings settings;
+  settings.first = first_;
+  settings.last = last_;
+  settings.quality = studio.workspace.view().quality;
+  settings.view = studio.development.view;
+  if (const graph::Node* time = scene::first_of_type(studio.session().graph(), "time"))
+    settings.rate = number_of(*time, "rate");
+  try {
+    const fs::path folder = studio.session().scene_folder();
+    settings.output = typed_path(path_, folder).value_or(folder / path_).string();
+    problem_ = path_.empty() ? "playblast: name a file" : studio.start_playblast(settings);
+  } catch (const graph::GraphError& error) {
+    problem_ = std::string("playblast: ") + error.what();
+  }
+  if (!problem_.empty()) return studio.trace.note("playblast refused: " + problem_);
+  ImGui::CloseCurrentPopup();
 }
 
 void PlayblastDialog::show_path(Studio& studio) {
@@ -105,25 +128,22 @@ bool PlayblastDialog::show(Studio& studio, FileDialog& browser) {
     if (!there) ImGui::BeginDisabled();
     if (toggle(extensions[i] + 1, format_ == i, there ? "" : "ffmpeg is not installed") && there) {
       format_ = i;
-      fs::path path(path_);
-      path_ = path.replace_extension(extensions[i]).string();
+      path_ = as_format(path_, extensions[i]);
+      problem_.clear();
     }
     if (!there) ImGui::EndDisabled();
   }
   show_path(studio);
   ImGui::Spacing();
-  if (ImGui::Button("Render", {scaled(110), 0.0f})) {
-    PlayblastSettings settings;
-    settings.first = first_;
-    settings.last = last_;
-    settings.output = path_;
-    settings.quality = studio.workspace.view().quality;
-    settings.view = studio.development.view;
-    if (const graph::Node* time = scene::first_of_type(studio.session().graph(), "time"))
-      settings.rate = number_of(*time, "rate");
-    studio.start_playblast(settings);
-    ImGui::CloseCurrentPopup();
+  if (!problem_.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, colour::error);
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + scaled(420));
+    ImGui::TextUnformatted(problem_.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    ImGui::Spacing();
   }
+  if (ImGui::Button("Render", {scaled(110), 0.0f})) render(studio);
   if (!ImGui::IsWindowAppearing()) note_item(studio.trace, "playblast render");
   ImGui::SameLine();
   if (ImGui::Button("Cancel", {scaled(110), 0.0f}) ||

@@ -16,10 +16,12 @@ class PlayblastDialog {
 
  private:
   void set_path(const std::string& path);
+  void render(Studio& studio);
   void show_path(Studio& studio);
 
   int first_ = 1, last_ = 1, format_ = 0;
   std::string path_;
+  std::string problem_;  // why it could not begin, one line; until something else is asked for
   bool opens_ = false;
 };
 

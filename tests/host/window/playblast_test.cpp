@@ -21,6 +21,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
+TEST(PlayblastFormat, AFilmIsOneFileAndWhatIsNumberedHasAPlaceForIt) {
+  EXPECT_EQ(as_format("takes/shot.####.png", ".mp4"), "takes/shot.mp4");
+  EXPECT_EQ(as_format("takes/shot.####.png", ".exr"), "takes/shot.####.exr");
+  EXPECT_EQ(as_format("takes/shot_%04d.exr", ".mp4"), "takes/shot.mp4");
+  EXPECT_EQ(as_format("takes/shot.mp4", ".png"), "takes/shot.####.png");
+  EXPECT_EQ(as_format("takes/shot.####.mp4", ".mp4"), "takes/shot.mp4");
+  EXPECT_EQ(as_format("takes/shot.####", ".mp4"), "takes/shot.mp4");
+  EXPECT_EQ(as_format("takes/shot.####", ".png"), "takes/shot.####.png");
+  EXPECT_EQ(as_format("still.png", ".exr"), "still.exr") << "who wants one picture has one";
+}
+
 class PlayblastTest : public testing::Test {
  protected:
   // A tiny ball whose light turns, and which is not there at frame 1. passes: of each picture.
