@@ -133,6 +133,7 @@ void Interface::turn() {
   studio_.files.autosave_if_due(studio_.is_hand_on());
   note_phase("autosave");
   studio_.update_picture();
+  if (keep_wished_picture(studio_)) redraws_ = std::max(redraws_, 2);
   // Behind what asks for the picture of this frame: only then can be said whether that is there.
   timeline_.play(studio_);
   studio_.update_playblast();

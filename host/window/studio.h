@@ -82,6 +82,7 @@ class Studio {
   Snapshots snapshots;
   LookPictures looks;
   /// Renders the offline reference of what is looked at.
+  bool wants_snapshot = false;  // as soon as there is a picture for it
   void render_reference();
   /// Makes pictures of the scene that size [pixels], by commands.
   void set_gate(ivec2 size);

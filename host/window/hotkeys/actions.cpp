@@ -16,10 +16,17 @@ Development seen_alone(Development how) {
   return how;
 }
 
-void keep_picture(Studio& studio) {
+// What has been rendered further than its quick pass; null: not yet.
+ViewPicturePtr whole_picture(const Studio& studio) {
   const ViewPicturePtr picture = studio.renderer.picture();
-  if (!picture || picture->quick) {
-    studio.console.add(LineKind::note, "only a picture that is past its quick pass can be kept");
+  return picture && !picture->quick ? picture : nullptr;
+}
+
+void keep_picture(Studio& studio) {
+  const ViewPicturePtr picture = whole_picture(studio);
+  studio.wants_snapshot = !picture;
+  if (!picture) {
+    studio.console.add(LineKind::note, "the snapshot is taken when the picture is past its quick pass");
     return;
   }
   const bool is_seen = studio.development.seen == Seen::picture;
@@ -46,6 +53,14 @@ void key_selection(Studio& studio) {
 }
 
 }  // namespace
+
+bool keep_wished_picture(Studio& studio) {
+  if (!studio.wants_snapshot || !whole_picture(studio)) return false;
+  keep_picture(studio);
+  studio.console.add(LineKind::note, studio.snapshots.all().back().name + " is taken");
+  studio.trace.note("took " + studio.snapshots.all().back().name);
+  return true;
+}
 
 bool is_of_the_view(Action action) {
   switch (action) {
@@ -220,6 +235,8 @@ void act(Studio& studio, Action action) {
       if (std::exchange(studio.show_hotkeys, false)) return;
       if (studio.commands.job.what.empty() && std::exchange(studio.show_looks, false)) return;
       studio.commands.job.cancelled = true;
+      if (std::exchange(studio.wants_snapshot, false))
+        studio.console.add(LineKind::note, "no snapshot is taken");
       comparison.stop_reference();
       studio.playblast.cancel();
       studio.viewpoint.stop_waiting();
