@@ -16,6 +16,7 @@
 #include "host/window/compare/comparison.h"
 #include "host/window/compare/snapshots.h"
 #include "host/window/console/console_log.h"
+#include "host/window/console/news.h"
 #include "host/window/files/file_browser.h"
 #include "host/window/files/grid_lists.h"
 #include "host/window/files/playblast.h"
@@ -41,6 +42,7 @@ class Studio {
 
   Trace trace;
   ConsoleLog console;
+  News news;  // of it
   Hotkeys hotkeys;
 
   // The scene.
@@ -80,9 +82,9 @@ class Studio {
   // What it is compared with.
   Comparison comparison;
   Snapshots snapshots;
+  bool wants_snapshot = false;  // as soon as there is a picture for it
   LookPictures looks;
   /// Renders the offline reference of what is looked at.
-  bool wants_snapshot = false;  // as soon as there is a picture for it
   void render_reference();
   /// Makes pictures of the scene that size [pixels], by commands.
   void set_gate(ivec2 size);

@@ -19,9 +19,10 @@ void ConsoleLog::add(LineKind kind, const std::string& text) {
   merge_key_.clear();
   if (!lines_.empty() && lines_.back().kind == kind && lines_.back().text == text) {
     ++lines_.back().repeats;
+    lines_.back().change = changes_;
     return;
   }
-  lines_.push_back({kind, text});
+  lines_.push_back({kind, text, 1, changes_});
   if (lines_.size() > most_lines) lines_.pop_front();
 }
 
@@ -32,6 +33,7 @@ void ConsoleLog::echo(const std::string& line, const std::string& merge_key) {
       if (subject_of(old->text) == subject_of(line)) {
         ++changes_;
         old->text = line;
+        old->change = changes_;
         return;
       }
   }

@@ -12,7 +12,8 @@ enum class LineKind { command, answer, note, warning, error };
 struct ConsoleLine {
   LineKind kind = LineKind::note;
   std::string text;
-  int repeats = 1;  // how often it was said in a row
+  int repeats = 1;           // how often it was said in a row
+  std::uint64_t change = 0;  // of the log, by which it was said last
 };
 
 class ConsoleLog {

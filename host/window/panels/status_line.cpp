@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "host/window/drawing/shortened.h"
 #include "host/window/panels/widgets.h"
 #include "host/window/platform/theme.h"
 
@@ -17,6 +18,39 @@ std::string awaited(Studio& studio) {
   if (studio.feed.is_computing()) return "computing " + studio.feed.progress().what;
   const bool failed = !studio.feed.problems().empty() || !studio.renderer.status().error.empty();
   return failed || studio.is_picture_there() ? "" : "rendering";
+}
+
+// One line; what has no room is read under the pointer, and in the console.
+void show_news(const ConsoleLine& news, float room) {
+  const std::string line = shortened(news.text.substr(0, news.text.find('\n')), room,
+                                     [](const std::string& s) { return ImGui::CalcTextSize(s.c_str()).x; });
+  ImGui::PushStyleColor(ImGuiCol_Text, news.kind == LineKind::error     ? colour::error
+                                       : news.kind == LineKind::warning ? colour::warning
+                                                                        : colour::text);
+  ImGui::TextUnformatted(line.c_str());
+  ImGui::PopStyleColor();
+  if (line != news.text) help(news.text);
+}
+
+// As many as there is whole room for; where the others are listed comes first of all.
+void show_hints(const Studio& studio, float room) {
+  const auto key = [&](Action action) { return text_of(studio.hotkeys.chord(action)); };
+  const std::string hints[] = {key(Action::hotkey_list) + " hotkeys",
+                               "Alt+left tumbles, middle tracks, right or wheel dollies",
+                               key(Action::frame_selection) + " frame   " + key(Action::frame_all) + " all",
+                               key(Action::tool_translate) + " " + key(Action::tool_rotate) + " " +
+                                   key(Action::tool_scale) + " move, turn, scale",
+                               key(Action::light_hand) + "+drag turns the key light",
+                               key(Action::zoom_hand) + "+wheel magnifies",
+                               key(Action::quality_fast) + " fast   " + key(Action::quality_high) + " high",
+                               "Ctrl+Alt where the desktop keeps Alt"};
+  std::string line;
+  for (const std::string& hint : hints) {
+    const std::string longer = line.empty() ? hint : line + "     " + hint;
+    if (ImGui::CalcTextSize(longer.c_str()).x > room) break;
+    line = longer;
+  }
+  ImGui::TextDisabled("%s", line.c_str());
 }
 
 }  // namespace
@@ -52,7 +86,11 @@ void show_status(Studio& studio, const PaneRect& pane) {
   }
   // What there is to say on the left gives way to what the picture is.
   ImGui::PushClipRect({pane.begin.x, pane.begin.y}, {right, pane.begin.y + pane.size.y}, true);
-  const auto& lines = studio.console.lines();
+  const auto now = std::chrono::steady_clock::now();
+  const bool is_new = studio.news.update(studio.console, now);
+  const ConsoleLine* news = studio.news.line(now);
+  if (is_new && news) studio.trace.note("says " + news->text);
+  const float room = right - pane.begin.x - scaled(10);
   if (!studio.commands.job.what.empty()) {
     ImGui::Text("%s  %.0f %%", studio.commands.job.what.c_str(), 100.0 * studio.commands.job.share);
     ImGui::SameLine();
@@ -64,17 +102,10 @@ void show_status(Studio& studio, const PaneRect& pane) {
   } else if (studio.feed.is_computing()) {
     const auto progress = studio.feed.progress();
     ImGui::Text("computing %s  %.0f %%", progress.what.c_str(), 100.0 * progress.fraction);
-  } else if (!lines.empty() &&
-             (lines.back().kind == LineKind::error || lines.back().kind == LineKind::warning)) {
-    const bool error = lines.back().kind == LineKind::error;
-    ImGui::PushStyleColor(ImGuiCol_Text, error ? colour::error : colour::warning);
-    ImGui::TextUnformatted(lines.back().text.c_str());
-    ImGui::PopStyleColor();
+  } else if (news) {
+    show_news(*news, room);
   } else {
-    ImGui::TextDisabled(
-        "Alt+mouse (or Ctrl+Alt): left tumbles, middle tracks, right or wheel dollies    W E R move, turn, "
-        "scale   F frame   A all   Z+wheel magnifies   1 fast   2 high   L+drag turns the key light   F1 "
-        "hotkeys");
+    show_hints(studio, room);
   }
   ImGui::PopClipRect();
   end_pane();

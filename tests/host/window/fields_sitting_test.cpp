@@ -179,7 +179,9 @@ TEST_F(FieldsSitting, ALightIsPlacedByAzimuthAndElevation) {
   type("key azimuth", "20", "setAttr key.rotate.y 20");
   type("key azimuth", "+=30", "setAttr key.rotate.y 50");
   type("key azimuth", "270", "setAttr key.rotate.y -90");
+  before = sitting_->now();
   type("key elevation", "200", "setAttr key.rotate.x -90");
+  sitting_->wait_for("says key: an elevation of 200 is out of its range", before);
   wait_and_keep("angles-3-above.png");
   type("key elevation", "10", "setAttr key.rotate.x -10");
 

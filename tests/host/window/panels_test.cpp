@@ -9,7 +9,9 @@
 #include "host/scene/workspace.h"
 #include "host/window/console/completion.h"
 #include "host/window/console/console_log.h"
+#include "host/window/console/news.h"
 #include "host/window/console/wrapped_rows.h"
+#include "host/window/drawing/shortened.h"
 #include "host/window/fields/attribute_rows.h"
 #include "host/window/fields/edit_lines.h"
 #include "host/window/navigation/key_light.h"
@@ -25,6 +27,42 @@ const AttributeRow* row_of(const std::vector<AttributeGroup>& groups, const std:
     for (const AttributeRow& row : group.rows)
       if (row.label == label) return &row;
   return nullptr;
+}
+
+TEST(News, AnErrorStaysUntilSomethingIsDoneOrItIsRead) {
+  using std::chrono::seconds;
+  ConsoleLog log;
+  News news;
+  const News::Time now{};
+  const auto said = [&](int second) {
+    news.update(log, now + seconds(second));
+    const ConsoleLine* line = news.line(now + seconds(second));
+    return line ? line->text : "";
+  };
+  EXPECT_EQ(said(0), "");
+  log.add(LineKind::error, "nonsense: there is no such command");
+  EXPECT_EQ(said(0), "nonsense: there is no such command");
+  EXPECT_EQ(said(9), "nonsense: there is no such command");
+  EXPECT_EQ(said(16), "");
+  log.add(LineKind::error, "nonsense: there is no such command");
+  EXPECT_EQ(said(20), "nonsense: there is no such command") << "once more";
+  for (int i = 0; i < 9; ++i) log.echo("setAttr fog.g 0." + std::to_string(i), "drag 1");
+  EXPECT_EQ(said(21), "") << "something was done";
+  log.echo("import smoke.vdb", "");
+  log.add(LineKind::note, "smoke.vdb: 2 x 3 x 2 m at (0, 0, 0)");
+  log.echo("select smoke_place", "");
+  EXPECT_EQ(said(22), "smoke.vdb: 2 x 3 x 2 m at (0, 0, 0)") << "what was noted is read";
+  EXPECT_EQ(said(30), "");
+  log.clear();
+  EXPECT_EQ(said(31), "");
+}
+
+TEST(Shortened, LeavesRoomForTheDotsAndLettersWhole) {
+  const auto width = [](const std::string& text) { return float(text.size()); };
+  EXPECT_EQ(shortened("as it is", 8.0f, width), "as it is");
+  EXPECT_EQ(shortened("as it is not", 8.0f, width), "as it...");
+  EXPECT_EQ(shortened("größer als der Platz", 6.0f, width), "gr...") << "no half of a letter";
+  EXPECT_EQ(shortened("anything", 0.0f, width), "...");
 }
 
 TEST(AttributeRows, FollowTheDeclaration) {
