@@ -40,6 +40,7 @@ struct Both {
 
 int ConsolePanel::edit(Studio& studio, ImGuiInputTextCallbackData& data) {
   if (data.EventFlag == ImGuiInputTextFlags_CallbackAlways) {
+    seen_ = data.Buf;
     if (!std::exchange(to_end_, false)) return 0;
     data.CursorPos = data.BufTextLen;
     data.ClearSelection();
@@ -124,6 +125,9 @@ void ConsolePanel::show(Studio& studio, const PaneRect& pane) {
       &both);
   studio.trace.item("command line", vec2(ImGui::GetItemRectMin().x, ImGui::GetItemRectMin().y),
                     vec2(ImGui::GetItemRectSize().x, ImGui::GetItemRectSize().y));
+  // Escape leaves the line and what was typed into it; Dear ImGui would bring back what stood there before.
+  if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))
+    std::snprintf(line_, sizeof line_, "%s", seen_.c_str());
   if (entered && line_[0] != 0) {
     if (typed_.empty() || typed_.back() != line_) typed_.push_back(line_);
     recalled_ = typed_.size();

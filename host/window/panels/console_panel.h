@@ -20,6 +20,7 @@ class ConsolePanel {
   int edit(Studio& studio, ImGuiInputTextCallbackData& data);
 
   char line_[1024] = "";
+  std::string seen_;                // what stands in it while it is typed into
   std::vector<std::string> typed_;  // oldest first
   std::size_t recalled_ = 0;        // place in typed_; its size: a new line
   bool to_end_ = false;             // the cursor goes behind what was typed ahead
