@@ -141,7 +141,12 @@ std::optional<Action> Palette::show(Studio& studio) {
   const bool appears = !std::exchange(is_open_, true);
   if (appears) begin(studio);
   const ImVec2 room = ImGui::GetMainViewport()->Size;
-  const ImVec2 size(std::min(scaled(620), room.x - scaled(40)), std::min(scaled(420), room.y * 0.7f));
+  // As high as what is found, up to where it scrolls; its upper edge stays.
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float row = ImGui::GetFrameHeight(), most = std::min(scaled(420), room.y * 0.7f);
+  const float rows = float(std::max<std::size_t>(1, found_.size())) * row;
+  const ImVec2 size(std::min(scaled(620), room.x - scaled(40)),
+                    std::min(most, row + style.ItemSpacing.y + rows + 2.0f * style.WindowPadding.y));
   ImGui::SetNextWindowPos({std::floor((room.x - size.x) / 2), std::floor(room.y * 0.12f)});
   ImGui::SetNextWindowSize(size);
   if (!ImGui::BeginPopup(popup, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
@@ -149,6 +154,7 @@ std::optional<Action> Palette::show(Studio& studio) {
     studio.show_palette = is_open_ = false;
     return std::nullopt;
   }
+  studio.trace.item("palette window", {ImGui::GetWindowPos().x, ImGui::GetWindowPos().y}, {size.x, size.y});
   step();
   if (appears) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1.0f);

@@ -40,6 +40,16 @@ TEST(PaletteSitting, AFewLettersSelectANodeTakeAnActionAndBeginACommand) {
   sitting.wait_for("ran undo", before);
   sitting.wait_for_keys("keys to the window");
 
+  // As high as what is found.
+  find("node rim", "node rim");
+  sitting.wait_for(" still", sitting.now());
+  const ivec4 window = sitting.item("palette window"), row = sitting.item("palette node rim");
+  EXPECT_LT(window.w, size.y * 7 / 10);
+  EXPECT_LT(row.y + row.w, window.y + window.w);
+  sitting.keep("palette-few.png");
+  sitting.stroke("Escape");
+  sitting.wait_for_keys("keys to the window");
+
   find("setattr", "command setAttr");
   sitting.stroke("Return");
   sitting.wait_for_keys("keys to the window");
