@@ -34,6 +34,26 @@ PictureGrid picture_grid(int count, vec2 room, float aspect, float under, float 
   return best;
 }
 
+namespace {
+
+// In the upper right corner, on the line of the heading, which stays where the list scrolls.
+void show_close(Studio& studio) {
+  const float side = ImGui::GetTextLineHeight();
+  const ImVec2 behind = ImGui::GetCursorPos();
+  ImGui::SameLine();
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - side);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0.0f, 0.0f));
+  ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0.0f, 0.0f, 0.0f, 0.0f));
+  if (ImGui::Button("x##close", {side, side})) studio.show_looks = false;
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+  note_item(studio.trace, "close the looks");
+  help("Closes the gallery (" + text_of(studio.hotkeys.chord(Action::cancel)) + ").");
+  ImGui::SetCursorPos(behind);
+}
+
+}  // namespace
+
 void LookGallery::show(Studio& studio, const PaneRect& pane) {
   const ViewPicturePtr shown = studio.renderer.picture();
   const bool is_empty = shown && shown->scene.media.empty();
@@ -70,7 +90,7 @@ void LookGallery::show(Studio& studio, const PaneRect& pane) {
   const float height = grid.height, column = std::max(height * aspect + scaled(4), narrowest);
   const int rows = (count + grid.columns - 1) / grid.columns;
   const float wanted = pictures ? float(rows) * (height + others) + head : scaled(70);
-  const float width = std::max(float(pictures ? grid.columns : 1) * (column + gap) + scaled(8), scaled(112)) +
+  const float width = std::max(float(pictures ? grid.columns : 1) * (column + gap) + scaled(8), scaled(150)) +
                       (wanted > room ? ImGui::GetStyle().ScrollbarSize : 0.0f);
   ImGui::SetNextWindowPos({pane.begin.x + pane.size.x - width - scaled(8), pane.begin.y + top});
   ImGui::SetNextWindowSize({width, std::min(room, wanted)});
@@ -79,6 +99,7 @@ void LookGallery::show(Studio& studio, const PaneRect& pane) {
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
   ImGui::TextDisabled("%s", !medium ? "no medium" : pictures ? "Looks" : "making pictures ...");
+  show_close(studio);
   if (medium && pictures) {
     const auto* worn = std::get_if<std::string>(&medium->value(medium->schema->find("look")));
     const float left = ImGui::GetCursorPosX(), begin = ImGui::GetCursorPosY();

@@ -53,7 +53,7 @@ TEST_F(ShowSitting, TheGalleryPutsALookOnAndUndoTakesItOff) {
   before = sitting.now();
   sitting.stroke("Control_L+z");
   wait_for_rest(sitting, sitting.wait_for("ran undo", before));
-  take("look gallery", "menu look gallery");  // and off the picture
+  sitting.click(sitting.middle("close the looks"));
   sitting.move(nowhere);
   sitting.wait_for(" still", sitting.now());
   EXPECT_GT(difference(), 60.0);
@@ -90,9 +90,14 @@ TEST_F(ShowSitting, APlayblastIsAskedForRunsBesideTheWindowAndLeavesItsFrames) {
     sitting.type(text);
   };
   fill("playblast last", "2");
-  sitting.click(sitting.middle("playblast path"));
-  sitting.stroke("Control_L+a");
-  sitting.type((sitting.folder() / "seen.####.png").string());
+  // A path that cannot be is said where it can be mended, and the dialog stays.
+  std::size_t refused = sitting.now();
+  fill("playblast path", "/nowhere/at/all/seen.####.png");
+  sitting.click(sitting.middle("playblast render"));
+  sitting.wait_for("playblast refused: ", refused);
+  sitting.wait_for(" still", sitting.now());
+  sitting.keep("playblast-refused.png");
+  fill("playblast path", (sitting.folder() / "seen.####.png").string());
   sitting.keep("playblast-1.png");
   // The browser stands over it; what is chosen there is the path.
   std::filesystem::create_directory(sitting.folder() / "takes");
