@@ -17,13 +17,30 @@ namespace plinian::window {
 
 namespace {
 
-void show_modes(Studio& studio) {
+// Where there is no room for all of them in one row, lists do without their arrows and words are shorter.
+enum class Room { ample, scarce };
+
+ImGuiComboFlags list_flags(Room room) {
+  return room == Room::ample ? ImGuiComboFlags_None : ImGuiComboFlags_NoArrowButton;
+}
+
+// Of a list whose longest common word is that long.
+float list_width(Room room, float ample, const char* word) {
+  return room == Room::ample ? scaled(ample) : button_width(word);
+}
+
+float modes_width(Room room) {
+  return list_width(room, 98.0f, "side by side");
+}
+
+void show_modes(Studio& studio, Room room) {
   Comparison& comparison = studio.comparison;
   const bool is_on = comparison.mode() != CompareMode::off;
   ImGui::BeginDisabled(!comparison.has_other());
-  ImGui::SetNextItemWidth(scaled(98));
+  ImGui::SetNextItemWidth(modes_width(room));
   if (is_on) ImGui::PushStyleColor(ImGuiCol_Text, colour::accent);
-  const bool open = ImGui::BeginCombo("##compare", is_on ? name_of(comparison.mode()) : "compare");
+  const bool open =
+      ImGui::BeginCombo("##compare", is_on ? name_of(comparison.mode()) : "compare", list_flags(room));
   if (is_on) ImGui::PopStyleColor();
   note_item(studio.trace, "compare");
   if (open) {
@@ -44,7 +61,7 @@ void show_modes(Studio& studio) {
                  text_of(studio.hotkeys.chord(Action::load_reference)) + ").");
 }
 
-void show_flicker_rate(Studio& studio) {
+void show_flicker_rate(Studio& studio, Room) {
   Comparison& comparison = studio.comparison;
   FieldLook look;
   look.width = scaled(60);
@@ -66,7 +83,7 @@ bool has_reference_layers(Studio& studio) {
          image.picture()->layers.size() > 1;
 }
 
-void show_reference_layers(Studio& studio) {
+void show_reference_layers(Studio& studio, Room) {
   const ReferenceImage& image = studio.comparison.images.reference;
   ImGui::SetNextItemWidth(scaled(76));
   const std::string name = image.node() + ".layer";
@@ -81,7 +98,7 @@ void show_reference_layers(Studio& studio) {
   help("The layer of " + studio.comparison.name + " that is compared with.");
 }
 
-void show_what_is_drawn(Studio& studio) {
+void show_what_is_drawn(Studio& studio, Room) {
   if (ImGui::Button("show")) ImGui::OpenPopup("##show");
   // The button stays to be seen.
   const float widest = scaled(220);  // of the list
@@ -129,7 +146,7 @@ float width_of_tools(const Studio& studio) {
   return width;
 }
 
-void show_tools(Studio& studio) {
+void show_tools(Studio& studio, Room) {
   for (const ToolButton& button : tool_buttons) {
     const std::string keys = text_of(studio.hotkeys.chord(button.action));
     const std::string what = std::string(button.what) + (keys == "none" ? "." : " (" + keys + ").");
@@ -149,7 +166,7 @@ void show_tools(Studio& studio) {
   note_item(studio.trace, "axes of the tool");
 }
 
-void show_quality(Studio& studio) {
+void show_quality(Studio& studio, Room) {
   const std::string& quality = studio.workspace.view().quality;
   if (toggle("fast", quality == "fast", "The quality set fast (1).")) act(studio, Action::quality_fast);
   note_item(studio.trace, "fast");
@@ -158,28 +175,34 @@ void show_quality(Studio& studio) {
   note_item(studio.trace, "high");
 }
 
-void show_exposure(Studio& studio) {
+float field_dot_width() {
+  return scaled(14);
+}
+
+float exposure_width(Room room) {
+  return scaled(room == Room::ample ? 92.0f : 70.0f);
+}
+
+void show_exposure(Studio& studio, Room room) {
   Development& how = studio.development;
   FieldLook look;
-  look.width = scaled(92);
+  look.width = exposure_width(room);
   look.prefix = "exp";
-  look.unit = "stops";
+  if (room == Room::ample) look.unit = "stops";
   look.changed = how.view.exposure != 0.0f;
   NumberRange stops;
   stops.soft_minimum = -8.0;
   stops.soft_maximum = 8.0;
   const FieldEdit edit = number_field("##exposure", how.view.exposure, stops, look);
   note_item(studio.trace, "exposure");
-  help("Exposure of the display. No part of the scene.");
+  help("Exposure of the display, in stops. No part of the scene.");
   if (edit.dragged) how.view.exposure = float(*edit.dragged);
   if (edit.typed)
     if (const auto typed = typed_number(*edit.typed, how.view.exposure)) how.view.exposure = float(*typed);
   if (!look.changed) return;
   ImGui::SameLine(0.0f, scaled(2));
-  ImGui::PushStyleColor(ImGuiCol_Text, colour::changed);
-  if (ImGui::Button("0")) how.view.exposure = 0.0f;
-  ImGui::PopStyleColor();
-  help("The exposure is off its default; click to put it back.");
+  if (show_changed_dot(field_dot_width(), "Not at its default; click to put it back."))
+    how.view.exposure = 0.0f;
 }
 
 std::string name_of(const ViewSettings& view) {
@@ -219,12 +242,17 @@ void show_gamma(Studio& studio) {
       gamma = float(std::clamp(*typed, *range.minimum, *range.maximum));
 }
 
-void show_view_transform(Studio& studio) {
+float transform_width(Room room) {
+  return list_width(room, 76.0f, "filmic");
+}
+
+void show_view_transform(Studio& studio, Room room) {
   ViewSettings& view = studio.development.view;
-  ImGui::SetNextItemWidth(scaled(76));
+  ImGui::SetNextItemWidth(transform_width(room));
   const bool changed = view.gamma != 1.0f;
   if (changed) ImGui::PushStyleColor(ImGuiCol_Text, colour::changed);
-  const bool open = ImGui::BeginCombo("##view", name_of(view).c_str(), ImGuiComboFlags_HeightLarge);
+  const bool open =
+      ImGui::BeginCombo("##view", name_of(view).c_str(), list_flags(room) | ImGuiComboFlags_HeightLarge);
   if (changed) ImGui::PopStyleColor();
   note_item(studio.trace, "view transform");
   if (!open) {
@@ -241,10 +269,14 @@ void show_view_transform(Studio& studio) {
   ImGui::EndCombo();
 }
 
-void show_layer(Studio& studio) {
+float layer_width(Room room) {
+  return list_width(room, 84.0f, "map error");
+}
+
+void show_layer(Studio& studio, Room room) {
   Development& how = studio.development;
-  ImGui::SetNextItemWidth(scaled(84));
-  if (ImGui::BeginCombo("##layer", how.layer.empty() ? "beauty" : how.layer.c_str())) {
+  ImGui::SetNextItemWidth(layer_width(room));
+  if (ImGui::BeginCombo("##layer", how.layer.empty() ? "beauty" : how.layer.c_str(), list_flags(room))) {
     for (const char* layer : {"beauty", "alpha", "depth", "ambient", "emission", "map error"}) {
       const bool beauty = std::string(layer) == "beauty";
       if (ImGui::Selectable(layer, beauty ? how.layer.empty() : how.layer == layer))
@@ -256,23 +288,26 @@ void show_layer(Studio& studio) {
   help("The layer that is seen; map error: how far the maps of the lights are from the exact transmittance.");
 }
 
-constexpr const char* longer_camera = "scene camera";
+float camera_width(Room room) {
+  return button_width(room == Room::ample ? "scene camera" : "camera");
+}
 
-void show_camera(Studio& studio) {
-  if (toggle(studio.viewpoint.look.free ? "free camera" : longer_camera, !studio.viewpoint.look.free,
-             "Look through the scene's camera (C). Moving the view leaves to a free one.",
-             button_width(longer_camera)))
+void show_camera(Studio& studio, Room room) {
+  const bool free = studio.viewpoint.look.free.has_value(), ample = room == Room::ample;
+  const char* label = free ? (ample ? "free camera" : "free") : ample ? "scene camera" : "camera";
+  if (toggle(label, !free, "Look through the scene's camera (C). Moving the view leaves to a free one.",
+             camera_width(room)))
     studio.viewpoint.look_through_scene_camera();
   note_item(studio.trace, "camera of the view");
 }
 
-void show_full_range(Studio& studio) {
+void show_full_range(Studio& studio, Room) {
   if (toggle("full-range maps", true,
              "The original method instead of adaptive maps (T), for this view only."))
     act(studio, Action::original_maps);
 }
 
-void show_solo(Studio& studio) {
+void show_solo(Studio& studio, Room) {
   ImGui::PushStyleColor(ImGuiCol_Text, colour::changed);
   if (ImGui::Button("solo")) {
     studio.development.solo.clear();
@@ -284,22 +319,29 @@ void show_solo(Studio& studio) {
 
 struct Control {
   StripWidth place;
-  void (*show)(Studio& studio);
+  void (*show)(Studio& studio, Room room);
 };
 
-// Those that there are now. Their widths do not depend on what they say, so that nothing jumps.
-std::vector<Control> controls_of(Studio& studio) {
-  const float wide = scaled(10), near = scaled(6), close = scaled(2);
+// Those that are always there. Their widths do not depend on what they say, so that nothing jumps.
+std::vector<Control> standing_controls(const Studio& studio, Room room) {
+  const bool ample = room == Room::ample;
+  const float wide = scaled(ample ? 10.0f : 6.0f), near = scaled(ample ? 6.0f : 4.0f), close = scaled(2);
   const float quality = button_width("fast") + close + button_width("high");
-  const float exposure = scaled(92) + close + button_width("0");
-  std::vector<Control> controls = {{{width_of_tools(studio), 0.0f}, show_tools},
-                                   {{quality, wide}, show_quality},
-                                   {{exposure, wide}, show_exposure},
-                                   {{scaled(76), near}, show_view_transform},
-                                   {{scaled(84), near}, show_layer},
-                                   {{button_width(longer_camera), wide}, show_camera},
-                                   {{button_width("show"), wide}, show_what_is_drawn},
-                                   {{scaled(98), wide}, show_modes}};
+  const float exposure = exposure_width(room) + close + field_dot_width();
+  return {{{width_of_tools(studio), 0.0f}, show_tools},
+          {{quality, wide}, show_quality},
+          {{exposure, wide}, show_exposure},
+          {{transform_width(room), near}, show_view_transform},
+          {{layer_width(room), near}, show_layer},
+          {{camera_width(room), wide}, show_camera},
+          {{button_width("show"), wide}, show_what_is_drawn},
+          {{modes_width(room), wide}, show_modes}};
+}
+
+// ... and those that there are now.
+std::vector<Control> controls_of(Studio& studio, Room room) {
+  const float near = scaled(room == Room::ample ? 6.0f : 4.0f), close = scaled(2);
+  std::vector<Control> controls = standing_controls(studio, room);
   if (studio.comparison.mode() == CompareMode::flicker)
     controls.push_back({{scaled(60), close}, show_flicker_rate});
   else if (has_reference_layers(studio))
@@ -312,6 +354,14 @@ std::vector<Control> controls_of(Studio& studio) {
 
 constexpr float margin_x = 8.0f, margin_y = 4.0f;  // [points at a scale of 1] around the controls
 
+// By what is always there, so that nothing is renamed by what comes and goes.
+Room room_in(const Studio& studio, float width) {
+  float all = 0.0f;
+  for (const Control& control : standing_controls(studio, Room::ample))
+    all += control.place.gap + control.place.width;
+  return all <= width - 2.0f * scaled(margin_x) ? Room::ample : Room::scarce;
+}
+
 StripRows rows_of(const std::vector<Control>& controls, float width) {
   constexpr int most = 2;  // more would take the picture's room
   std::vector<StripWidth> widths;
@@ -319,20 +369,20 @@ StripRows rows_of(const std::vector<Control>& controls, float width) {
   return wrap(widths, width - 2.0f * scaled(margin_x), most, scaled(6) + button_width("»"));
 }
 
-void show_more(Studio& studio, const std::vector<Control>& controls, const StripRows& rows) {
+void show_more(Studio& studio, Room room, const std::vector<Control>& controls, const StripRows& rows) {
   if (ImGui::Button("»")) ImGui::OpenPopup("##more");
   note_item(studio.trace, "more of the strip");
   help("What the strip is too narrow for.");
   if (!ImGui::BeginPopup("##more")) return;
   for (std::size_t i = 0; i < controls.size(); ++i)
-    if (rows.row[i] < 0) controls[i].show(studio);
+    if (rows.row[i] < 0) controls[i].show(studio, room);
   ImGui::EndPopup();
 }
 
 }  // namespace
 
 float view_strip_height(Studio& studio, float width) {
-  const int rows = rows_of(controls_of(studio), width).count;
+  const int rows = rows_of(controls_of(studio, room_in(studio, width)), width).count;
   return float(rows) * ImGui::GetFrameHeight() + float(rows - 1) * scaled(margin_y) + 2.0f * scaled(margin_y);
 }
 
@@ -340,7 +390,8 @@ void show_view_strip(Studio& studio, const PaneRect& pane) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(scaled(margin_x), scaled(margin_y)));
   begin_pane("##strip", pane, false);
   ImGui::PopStyleVar();
-  const std::vector<Control> controls = controls_of(studio);
+  const Room room = room_in(studio, pane.size.x);
+  const std::vector<Control> controls = controls_of(studio, room);
   const StripRows rows = rows_of(controls, pane.size.x);
   const float left = pane.begin.x + scaled(margin_x);
   float x = left;
@@ -356,14 +407,14 @@ void show_view_strip(Studio& studio, const PaneRect& pane) {
     row = rows.row[i];
     x = first ? left : x + place.gap;
     go_to(row, x);
-    controls[i].show(studio);
+    controls[i].show(studio, room);
     x += place.width;
   }
   if (rows.has_menu()) {
     // In the last row, which may hold nothing else.
     const bool alone = row != rows.count - 1;
     go_to(rows.count - 1, alone ? left : x + scaled(6));
-    show_more(studio, controls, rows);
+    show_more(studio, room, controls, rows);
   }
   end_pane();
 }
