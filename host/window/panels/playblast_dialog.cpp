@@ -32,6 +32,7 @@ double number_of(const graph::Node& node, const char* name) {
 void PlayblastDialog::open(Studio& studio) {
   opens_ = true;
   problem_.clear();
+  problem_height_ = 0.0f;
   if (const graph::Node* time = scene::first_of_type(studio.session().graph(), "time")) {
     first_ = int(number_of(*time, "start"));
     last_ = int(number_of(*time, "end"));
@@ -96,6 +97,23 @@ void PlayblastDialog::show_path(Studio& studio) {
   if (typed) set_path(*typed);
 }
 
+// Its room stays: the button that is being pressed when it goes would move away from under the mouse.
+void PlayblastDialog::show_problem() {
+  if (problem_.empty()) {
+    if (problem_height_ > 0.0f) ImGui::Dummy({0.0f, problem_height_});
+    return;
+  }
+  ImGui::BeginGroup();
+  ImGui::PushStyleColor(ImGuiCol_Text, colour::error);
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + scaled(420));
+  ImGui::TextUnformatted(problem_.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  ImGui::Spacing();
+  ImGui::EndGroup();
+  problem_height_ = ImGui::GetItemRectSize().y;
+}
+
 bool PlayblastDialog::show(Studio& studio, FileDialog& browser) {
   const char* title = "Playblast";
   if (std::exchange(opens_, false)) ImGui::OpenPopup(title);
@@ -135,14 +153,7 @@ bool PlayblastDialog::show(Studio& studio, FileDialog& browser) {
   }
   show_path(studio);
   ImGui::Spacing();
-  if (!problem_.empty()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, colour::error);
-    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + scaled(420));
-    ImGui::TextUnformatted(problem_.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
-    ImGui::Spacing();
-  }
+  show_problem();
   if (ImGui::Button("Render", {scaled(110), 0.0f})) render(studio);
   if (!ImGui::IsWindowAppearing()) note_item(studio.trace, "playblast render");
   ImGui::SameLine();

@@ -18,10 +18,12 @@ class PlayblastDialog {
   void set_path(const std::string& path);
   void render(Studio& studio);
   void show_path(Studio& studio);
+  void show_problem();
 
   int first_ = 1, last_ = 1, format_ = 0;
   std::string path_;
-  std::string problem_;  // why it could not begin, one line; until something else is asked for
+  std::string problem_;          // why it could not begin, one line; until something else is asked for
+  float problem_height_ = 0.0f;  // [points] that it had
   bool opens_ = false;
 };
 
