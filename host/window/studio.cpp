@@ -59,7 +59,10 @@ Studio::Studio(std::function<void()> wake, const std::string& trace_path)
   commands.ran = [this](const std::string& line) {
     if (line.starts_with("loadReference") && line.find(" -plate") == line.npos) comparison.want_file();
   };
-  files.frame_all = [this] { viewpoint.frame(false, picture_size); };
+  // Who looks through the scene's camera does not lose it for that.
+  files.frame_all = [this] {
+    if (viewpoint.look.free) viewpoint.frame(false, picture_size);
+  };
   development.view.view = default_view();
   read_hotkeys(hotkeys, console);
   for (const std::string& line : sdk::PluginManager::skipped()) console.add(LineKind::warning, line);

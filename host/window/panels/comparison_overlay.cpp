@@ -114,7 +114,9 @@ void ComparisonOverlay::draw_whole(const PaneRect& place, const PaneRect& room) 
 std::vector<ComparisonLine> comparison_lines(const Studio& studio, const DevelopedPtr& shown) {
   const Comparison& comparison = studio.comparison;
   std::vector<ComparisonLine> lines;
-  const auto say = [&](std::string text, bool is_old = false) { lines.push_back({std::move(text), is_old}); };
+  const auto say = [&](std::string text, bool is_rough = false) {
+    lines.push_back({std::move(text), is_rough});
+  };
   for (const ReferenceImage* image : {&comparison.images.reference, &comparison.images.plate})
     if (!image->problem().empty()) say(image->problem());
   if (const auto share = comparison.reference_share())
@@ -142,21 +144,21 @@ std::vector<ComparisonLine> comparison_lines(const Studio& studio, const Develop
   if (!is_held || !shown->figures) return lines;
   const Figures& figures = *shown->figures;
   // What is not at rest yet comes nearer by itself.
-  const bool old = shown->has_old_figures;
-  const char* about = shown->picture->at_rest && !old ? "" : "~ ";
+  const bool rough = shown->is_rough;
+  const char* about = shown->picture->at_rest && !rough ? "" : "~ ";
   std::string text = std::isfinite(figures.psnr) ? fmt::format("{}{:.1f} dB", about, figures.psnr)
                                                  : fmt::format("{}identical", about);
   text = fmt::format("against {}: {}   {}SSIM {:.4f}", comparison.name, text, about, figures.ssim);
   if (figures.flip) text += fmt::format("   {}FLIP {:.4f}", about, *figures.flip);
   if (comparison.mode() == CompareMode::difference) text = "4 x difference   " + text;
-  say(text, old);
+  say(text, rough);
   // What to turn when a picture is to be met: light where all are off, colours where one is.
   if (const auto& b = figures.balance)
     say(fmt::format("{}brightness, this / {}:   R {:.2f}   G {:.2f}   B {:.2f}   ({:+.2f} EV)", about,
                     comparison.name, b->x, b->y, b->z,
                     std::log2(std::max((b->x + b->y + b->z) / 3.0f, 1e-6f))),
-        old);
-  if (!figures.matched.empty()) say(comparison.name + " is " + figures.matched + " (Compare > Match)", old);
+        rough);
+  if (!figures.matched.empty()) say(comparison.name + " is " + figures.matched + " (Compare > Match)", rough);
   return lines;
 }
 
@@ -196,7 +198,7 @@ void ComparisonOverlay::show_lines(const Studio& studio, const PaneRect& pane, c
   const float label_end = is_named ? label_at.x + ImGui::CalcTextSize(label.c_str()).x + corner.x : badge_end;
   const float row = ImGui::GetTextLineHeight() + scaled(3);
   vec2 at(pane.begin.x + pane.size.x - corner.x, pane.begin.y + corner.y);
-  for (const auto& [line, is_old] : comparison_lines(studio, shown)) {
+  for (const auto& [line, is_rough] : comparison_lines(studio, shown)) {
     const float width = ImGui::CalcTextSize(line.c_str()).x;
     // In a narrow pane the lines come below the label and the badge.
     if ((is_named || badge > 0.0f) && at.x - width < label_end && std::abs(at.y - label_at.y) < row)
@@ -208,7 +210,7 @@ void ComparisonOverlay::show_lines(const Studio& studio, const PaneRect& pane, c
     ImGui::GetWindowDrawList()->AddRectFilled(
         to_im(text_at - margin), to_im(text_at + vec2(width, ImGui::GetTextLineHeight()) + margin), veil,
         scaled(3));
-    draw_text(text_at, is_old ? colour::faint_text : colour::text, line);
+    draw_text(text_at, is_rough ? colour::faint_text : colour::text, line);
     at.y += row;
   }
   bottom_ = at.y;

@@ -37,7 +37,7 @@ class ComparisonOverlay {
 
 struct ComparisonLine {
   std::string text;
-  bool is_old = false;  // of a picture that was seen before
+  bool is_rough = false;  // of a quick picture
 };
 
 /// What there is to say of the comparison: figures, what was matched, what stands in the way.

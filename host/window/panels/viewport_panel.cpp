@@ -21,7 +21,8 @@ namespace {
 // gate's; of one that was made here, any that has the shape in which the picture is shown.
 ivec2 measured_size(const Studio& studio, ivec2 pixels) {
   const Comparison& comparison = studio.comparison;
-  if (comparison.kind == OtherKind::snapshot && comparison.mode() != CompareMode::off) {
+  const bool is_made_here = comparison.kind == OtherKind::snapshot || comparison.kind == OtherKind::rendered;
+  if (is_made_here && comparison.mode() != CompareMode::off) {
     const ivec2 other(comparison.other->frame.width, comparison.other->frame.height);
     const double height = double(other.y) * pixels.x / std::max(1, other.x);
     return std::abs(height - pixels.y) < 1.0 ? other : pixels;
@@ -74,7 +75,7 @@ void ViewportPanel::take_picture(Studio& studio) {
       : p.at_rest ? "rest"
                   : "refining",
       p.render_ms, p.stats.map_ms, p.stats.view_ms,
-      shown->figures && !shown->has_old_figures ? fmt::format(" psnr {:.1f}", shown->figures->psnr) : ""));
+      shown->figures && !shown->is_rough ? fmt::format(" psnr {:.1f}", shown->figures->psnr) : ""));
 }
 
 namespace {

@@ -142,43 +142,74 @@ ViewPicturePtr matched_picture(const ViewPicture& picture, const Development& ho
   return other;
 }
 
-// Where the picture has a medium, without what is seen through it: the sky is as bright as it is.
-std::optional<vec3> balance_of(const PicturePair& pair, const Frame& frame, const Frame& other,
-                               const Development& how) {
+// Without what is seen through the media: the sky is as bright as it is. None of what was played, where that
+// is in no layer of its own.
+std::optional<Image> light_of_media(const Frame& frame, const Development& how) {
+  Image image = visible_layers(frame, how);
+  if (!sees_beauty(how)) return image;
+  if (frame.background.size() != frame.beauty.size()) return std::nullopt;
+  for (int c = 0; c < 3; ++c) {
+    std::vector<float>& values = image.channels[std::size_t(c)].values;
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] -= frame.background[i][c];
+  }
+  return image;
+}
+
+// How bright the one is, as a share of the other, where the picture has a medium.
+std::optional<vec3> balance_of(const Image& image, const Image& other, const Frame& picture) {
   constexpr float least_alpha = 0.01f;
-  const bool has_sky = sees_beauty(how);
+  const PicturePair pair = pair_pictures(image, other);
   dvec3 sum(0.0), reference(0.0);
   for (std::size_t i = 0; i < pair.a.size(); ++i)
-    if (pair.valid[i] && alpha_of(frame.transmittance[i]) > least_alpha) {
-      sum += dvec3(pair.a[i] - (has_sky ? frame.background[i] : vec3(0.0f)));
-      reference += dvec3(pair.reference[i] - (has_sky ? other.background[i] : vec3(0.0f)));
+    if (pair.valid[i] && alpha_of(picture.transmittance[i]) > least_alpha) {
+      sum += dvec3(pair.a[i]);
+      reference += dvec3(pair.reference[i]);
     }
   if (!(reference.x > 0.0 && reference.y > 0.0 && reference.z > 0.0)) return std::nullopt;
   return vec3(sum / reference);
 }
 
-void measure(Developed& developed, const Image& image, const ViewPicture& picture, const Development& how) {
-  developed.lacks = lacking_layer(how);
-  if (!developed.lacks.empty()) return;
-  Figures& figures = developed.figures.emplace();
-  developed.other = how.against_file ? matched_picture(picture, how, figures.matched) : how.against;
-  const Image reference = visible_layers(developed.other->frame, how);
-  const PicturePair pair = pair_pictures(image, reference);
+// image: what is seen of the picture. other: likewise of what it is measured against; of its size, as it was
+// matched. as_it_came: its media's light before that, which matching would hide.
+void measure_pair(Developed& developed, const Image& image, const Image& other,
+                  const std::optional<Image>& as_it_came, const Development& how) {
+  Figures& figures = *developed.figures;
+  const PicturePair pair = pair_pictures(image, other);
   const PixelMetrics metrics = pixel_metrics(pair);
   figures.psnr = metrics.psnr;
   figures.ssim = ssim(pair, metrics.peak);
-  // What is matched would hide how far the light is off.
-  const bool as_it_came = developed.other == how.against;
-  figures.balance =
-      balance_of(as_it_came ? pair : pair_pictures(image, visible_layers(how.against->frame, how)),
-                 picture.frame, how.against->frame, how);
-  if (how.seen == Seen::difference) developed.bytes = difference_bytes(image, reference);
+  const Frame& frame = developed.picture->frame;
+  const std::optional<Image> light = light_of_media(frame, how);
+  if (light && as_it_came) figures.balance = balance_of(*light, *as_it_came, frame);
+  if (how.seen == Seen::difference) developed.bytes = difference_bytes(image, other);
   if (how.seen == Seen::flip) {
     const FlipResult seen =
         flip(pair.a, pair.reference, pair.width, pair.height, {.exposure = how.view.exposure});
     figures.flip = seen.mean;
     developed.bytes = heat_bytes(seen.map, 1.0f);
   }
+}
+
+void measure(Developed& developed, const Image& image, const Development& how) {
+  Figures& figures = developed.figures.emplace();
+  developed.other =
+      how.against_file ? matched_picture(*developed.picture, how, figures.matched) : how.against;
+  measure_pair(developed, image, visible_layers(developed.other->frame, how),
+               light_of_media(how.against->frame, how), how);
+}
+
+// Of a quick picture, which has fewer pixels: what follows a hand says which way to go.
+void measure_roughly(Developed& developed, const Image& image, const Development& how, const Measured* last) {
+  const bool alike = last && measures_alike(last->how, how);
+  developed.other = alike ? last->other : how.against;
+  developed.is_rough = true;
+  // How it would be matched is not known yet.
+  if (!alike && how.against_file && how.matching != Matching{} && sees_beauty(how)) return;
+  developed.figures.emplace().matched = alike ? last->matched : "";
+  const auto small = [&](const Image& whole) { return shrunk(whole, developed.width, developed.height); };
+  std::optional<Image> as_it_came = light_of_media(how.against->frame, how);
+  if (as_it_came) as_it_came = small(*as_it_came);
+  measure_pair(developed, image, small(visible_layers(developed.other->frame, how)), as_it_came, how);
 }
 
 // Of each pixel the mean error along its ray, weighted by what is seen there, of its worst light.
@@ -274,21 +305,16 @@ DevelopedPtr develop(const ViewPicturePtr& picture, const Development& how, cons
     developed->bytes = to_display_bytes(
         seen, ViewTransform({.view = View::srgb, .exposure = how.view.exposure, .gamma = how.view.gamma}));
   }
-  if (how.against && !picture->quick && how.against->frame.width == developed->width &&
-      how.against->frame.height == developed->height)
-    measure(*developed, image, *picture, how);
-  // While a hand is on, a rough difference still says which way to go.
-  const SceneSnapshot& scene = picture->scene;
-  if (how.against && picture->quick && lacking_layer(how).empty() &&
-      how.against->frame.width == scene.width && how.against->frame.height == scene.height) {
-    const bool alike = last && measures_alike(last->how, how);
-    developed->other = alike ? last->other : how.against;
-    if (alike) developed->figures = last->figures;
-    developed->has_old_figures = alike;
-    if (how.seen == Seen::difference)
-      developed->bytes = difference_bytes(
-          image, shrunk(visible_layers(developed->other->frame, how), developed->width, developed->height));
-  }
+  if (!how.against) return developed;
+  const ivec2 size = picture->quick ? ivec2(picture->scene.width, picture->scene.height)
+                                    : ivec2(developed->width, developed->height);
+  if (size != ivec2(how.against->frame.width, how.against->frame.height)) return developed;
+  developed->lacks = lacking_layer(how);
+  if (!developed->lacks.empty()) return developed;
+  if (picture->quick)
+    measure_roughly(*developed, image, how, last);
+  else
+    measure(*developed, image, how);
   return developed;
 }
 
@@ -338,8 +364,8 @@ void Developer::run() {
     }
     DevelopedPtr developed = develop(picture, how, last ? &*last : nullptr);
     if (!developed) continue;
-    if (developed->figures && !developed->has_old_figures)
-      last = {how, developed->other, *developed->figures};
+    if (developed->figures && !developed->is_rough)
+      last = {how, developed->other, developed->figures->matched};
     else if (!how.against)
       last.reset();
     {

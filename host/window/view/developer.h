@@ -65,21 +65,21 @@ struct Developed {
   ViewPicturePtr against;             // that it was asked to be held against, as that came
   ViewPicturePtr other;               // as it was matched; null: it cannot be held against it
   std::optional<Figures> figures;     // against that
-  bool has_old_figures = false;       // those of the last picture that was measured: a quick one is not
+  bool is_rough = false;              // of a quick picture, against the other as small as that is
   std::optional<MapError> map_error;  // where it is what is seen
   std::string lacks;                  // the layer that is seen and that the other does not have: not measured
   std::string error;                  // why the view could not be used; then it is sRGB
 };
 using DevelopedPtr = std::shared_ptr<const Developed>;
 
-/// What was measured last, and how that was looked at.
+/// What was measured last that was not quick, and how it was looked at.
 struct Measured {
   Development how;
   ViewPicturePtr other;  // as it was matched
-  Figures figures;
+  std::string matched;   // see Figures
 };
 
-/// Whether figures of the one are of the same two pictures and layers as those of the other.
+/// Whether the other picture is matched alike for both.
 bool measures_alike(const Development& a, const Development& b);
 
 /// What one sees of a frame, as a picture with R, G and B, without a plate. [radiance, or a share for alpha
@@ -92,8 +92,8 @@ vec3 visible_radiance(const Frame& frame, const Development& how, std::size_t pi
 std::string lacking_layer(const Development& how);
 
 /// The picture, looked at so; null where it is light and an error is asked for, or the other way round.
-/// last: a quick one is held against the other as that was matched then, and has its figures, where that
-/// measured alike; null: the other as it is, and no figures.
+/// last: a quick one is measured against the other as that was matched then. Without one that was matched
+/// alike it is against the other as it came, and without figures where that has to be matched.
 DevelopedPtr develop(const ViewPicturePtr& picture, const Development& how, const Measured* last = nullptr);
 
 class Developer {

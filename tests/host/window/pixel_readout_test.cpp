@@ -166,7 +166,7 @@ TEST(PixelReadout, AQuickPictureIsHeldAgainstWhatWasMatched) {
   quick->quick = true;
   quick->scene.width = 8;
   quick->scene.height = 4;
-  const Measured last{how, whole->other, *whole->figures};
+  const Measured last{how, whole->other, whole->figures->matched};
   const DevelopedPtr shown = develop(quick, how, &last);
   const auto readout = read_pixel(*shown, how, at(5, 1), at(5, 1), "ref.exr");
   expect_near(readout->other->radiance, {0.6f, 0.2f, 0.01f});
