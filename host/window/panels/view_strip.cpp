@@ -237,11 +237,17 @@ Room room_in(const Studio& studio, float width) {
   return all <= width - 2.0f * scaled(margin_x) ? Room::ample : Room::scarce;
 }
 
-StripRows rows_of(const std::vector<Control>& controls, float width) {
-  constexpr int most = 2;  // more would take the picture's room
+StripRows wrapped(const std::vector<Control>& controls, float width, int most) {
   std::vector<StripWidth> widths;
   for (const Control& control : controls) widths.push_back(control.place);
   return wrap(widths, width - 2.0f * scaled(margin_x), most, scaled(6) + button_width("»"));
+}
+
+// What comes and goes begins no row: the picture beneath would become another size each time.
+StripRows rows_of(const Studio& studio, const std::vector<Control>& controls, float width) {
+  constexpr int most = 2;  // more would take the picture's room
+  return wrapped(controls, width,
+                 wrapped(standing_controls(studio, room_in(studio, width)), width, most).count);
 }
 
 void show_more(Studio& studio, Room room, const std::vector<Control>& controls, const StripRows& rows) {
@@ -257,7 +263,7 @@ void show_more(Studio& studio, Room room, const std::vector<Control>& controls, 
 }  // namespace
 
 float view_strip_height(Studio& studio, float width) {
-  const int rows = rows_of(controls_of(studio, room_in(studio, width)), width).count;
+  const int rows = rows_of(studio, controls_of(studio, room_in(studio, width)), width).count;
   return float(rows) * ImGui::GetFrameHeight() + float(rows - 1) * scaled(margin_y) + 2.0f * scaled(margin_y);
 }
 
@@ -267,7 +273,7 @@ void show_view_strip(Studio& studio, const PaneRect& pane) {
   ImGui::PopStyleVar();
   const Room room = room_in(studio, pane.size.x);
   const std::vector<Control> controls = controls_of(studio, room);
-  const StripRows rows = rows_of(controls, pane.size.x);
+  const StripRows rows = rows_of(studio, controls, pane.size.x);
   const float left = pane.begin.x + scaled(margin_x);
   float x = left;
   const auto go_to = [&](int row, float at) {
