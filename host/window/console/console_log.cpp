@@ -12,6 +12,10 @@ std::string subject_of(const std::string& line) {
   return space == line.npos ? line : line.substr(0, line.find(' ', space + 1));
 }
 
+bool sets_time(const ConsoleLine& line) {
+  return line.kind == LineKind::command && line.text.starts_with("currentTime ");
+}
+
 }  // namespace
 
 void ConsoleLog::add(LineKind kind, const std::string& text) {
@@ -37,6 +41,8 @@ void ConsoleLog::echo(const std::string& line, const std::string& merge_key) {
         return;
       }
   }
+  // A time that runs would push everything else out of sight, and none of its steps can be undone.
+  if (!lines_.empty() && sets_time(lines_.back()) && sets_time({LineKind::command, line})) lines_.pop_back();
   add(LineKind::command, line);
   lines_.back().repeats = 1;
   merge_key_ = merge_key;

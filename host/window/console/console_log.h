@@ -20,7 +20,7 @@ class ConsoleLog {
  public:
   void add(LineKind kind, const std::string& text);
   /// The echo of a command. Those that share a merge key and follow one another are one line, the last one:
-  /// what a drag did, as one would type it.
+  /// what a drag did, as one would type it. So are times that follow one another.
   void echo(const std::string& line, const std::string& merge_key);
   const std::deque<ConsoleLine>& lines() const { return lines_; }
   /// Counts what was added or replaced.

@@ -181,6 +181,17 @@ TEST(WrappedRows, LoseNothingOfALineThatIsLongerThanThePane) {
   EXPECT_EQ(wrapped({"again", "again"}, 8), (std::vector<std::string>{"again", "  (2", "  times)"}));
 }
 
+TEST(ConsoleLog, ATimeThatRunsIsOneLine) {
+  ConsoleLog log;
+  log.echo("setAttr key.exposure 1", "");
+  for (int frame = 2; frame < 90; ++frame) log.echo("currentTime " + std::to_string(frame), "");
+  ASSERT_EQ(log.lines().size(), 2u);
+  EXPECT_EQ(log.lines().back().text, "currentTime 89");
+  log.echo("select key", "");
+  log.echo("currentTime 90", "");
+  EXPECT_EQ(log.lines().size(), 4u) << "what was done in between keeps its place";
+}
+
 TEST(ConsoleLog, FoldsADragAndCountsRepeats) {
   ConsoleLog log;
   log.echo("setAttr a.exposure 1", "drag 1");
