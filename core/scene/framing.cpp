@@ -1,6 +1,8 @@
 // Framing: bounds of the media and the exact distance at which they fill a picture.
 #include "core/scene/framing.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -71,6 +73,19 @@ SceneBounds scene_bounds(const std::vector<Medium>& media) {
     bounds.maximum = max(bounds.maximum, point);
   }
   return bounds;
+}
+
+std::string extent_text(const SceneBounds& bounds) {
+  const dvec3 size = bounds.maximum - bounds.minimum, middle = bounds.centre();
+  // Three figures are as many as one looks at: of each side, and of the place those of the largest side.
+  const auto tidy = [](double value, double of) {
+    const double step = std::pow(10.0, std::floor(std::log10(std::max(of, 1e-30))) - 2.0);
+    return std::round(value / step) * step + 0.0;
+  };
+  const double largest = std::max({size.x, size.y, size.z});
+  return fmt::format("{:.6g} x {:.6g} x {:.6g} m at ({:.6g}, {:.6g}, {:.6g})", tidy(size.x, size.x),
+                     tidy(size.y, size.y), tidy(size.z, size.z), tidy(middle.x, largest),
+                     tidy(middle.y, largest), tidy(middle.z, largest));
 }
 
 dvec3 direction_from(double azimuth, double elevation) {

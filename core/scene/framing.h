@@ -1,6 +1,7 @@
 // A camera that shows all of the media, from a direction that flatters a column of ash.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/media/medium.h"
@@ -18,6 +19,9 @@ struct SceneBounds {
 
 /// Bricks that hold density, and analytic shapes. Empty media count for nothing.
 SceneBounds scene_bounds(const std::vector<Medium>& media);
+
+/// How large they are and where their middle is: "2.1 x 3 x 2 m at (0, 1.5, 0)".
+std::string extent_text(const SceneBounds& bounds);
 
 /// Direction from the middle of the media to the camera or a light [-] unit. azimuth: [degrees] 0 from +z, 90
 /// from +x; elevation: [degrees] 90 from above (+y).

@@ -61,15 +61,11 @@ Camera make_camera(const SceneDescription& scene, const SceneBounds& bounds, con
     const double azimuth = d.azimuth.value_or(float(default_azimuth));
     const double elevation = d.elevation ? double(*d.elevation) : default_elevation(bounds);
     camera = frame_bounds(camera, bounds, azimuth, elevation, size.x, size.y);
-    const dvec3 extent = bounds.maximum - bounds.minimum;
-    // What is nothing beside the extent is written as nothing.
-    const dvec3 centre =
-        glm::floor(bounds.centre() / bounds.radius() * 1e4 + 0.5) * 1e-4 * bounds.radius() + 0.0;
     told.notes.push_back(
         fmt::format("camera: placed to show everything, azimuth {:.0f}, elevation {:.0f}, {:.3g} m away from "
-                    "media of {:.3g} x {:.3g} x {:.3g} m around ({:.3g}, {:.3g}, {:.3g})",
+                    "media of {}",
                     azimuth, elevation, length(dvec3(camera.world_from_camera[3]) - bounds.centre()),
-                    extent.x, extent.y, extent.z, centre.x, centre.y, centre.z));
+                    extent_text(bounds)));
   }
   return camera;
 }

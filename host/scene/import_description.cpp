@@ -5,19 +5,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <future>
 
 #include "core/media/frame_sequence.h"
+#include "core/scene/framing.h"
 #include "core/scene/medium_loader.h"
 #include "core/scene/placement_angles.h"
 #include "core/scene/scene_loader.h"
 #include "core/scene/scene_parameters.h"
 #include "host/graph/graph_error.h"
 #include "host/nodes/read_facts.h"
+#include "host/scene/medium_names.h"
 #include "host/scene/sequence_setup.h"
 #include "host/scene/snapshot.h"
 #include "host/sdk/volume_table.h"
@@ -69,7 +70,11 @@ class Importer {
     make_nodes();
     if (options_.nodes_made) options_.nodes_made();
     fill_media();
-    if (options_.media_only) return report();
+    if (options_.media_only) {
+      ImportReport media = report();
+      if (is_anything_dense()) media.extent = extent_text(scene_bounds(media_));
+      return media;
+    }
     to_show_.insert(to_show_.begin(), media_.begin(), media_.end());
     const SceneBounds bounds = scene_bounds(to_show_);
     const ivec2 size = description_.size.value_or(ivec2(512));
@@ -89,9 +94,7 @@ class Importer {
 
   ImportReport report() {
     command("select -clear");
-    const SceneBounds bounds = scene_bounds(media_);
-    return {std::move(told_.notes), std::move(told_.warnings), told_.seed, std::move(made_),
-            is_anything_dense() ? extent_text(bounds) : ""};
+    return {std::move(told_.notes), std::move(told_.warnings), told_.seed, std::move(made_), ""};
   }
   bool is_anything_dense() const {
     return std::any_of(media_.begin(), media_.end(), [](const Medium& medium) {
@@ -376,50 +379,6 @@ class Importer {
 };
 
 }  // namespace
-
-std::string node_name_of(const std::string& name) {
-  std::string result = name;
-  for (char& c : result)
-    if (!std::isalnum((unsigned char)c) && c != '_') c = '_';
-  if (result.empty() || std::isdigit((unsigned char)result[0])) result.insert(0, "_");
-  return result;
-}
-
-std::string medium_name_of(const std::string& path) {
-  const auto pattern = FramePattern::parse(path);
-  const fs::path file = pattern ? pattern->unnumbered() : path;
-  return file.has_extension() ? node_name_of(file.stem().string()) : "medium";
-}
-
-std::string free_medium_name(const graph::Graph& graph, const std::string& wanted,
-                             const std::string& name_space) {
-  const std::string before = name_space.empty() ? "" : name_space + ":";
-  const auto is_free = [&](const std::string& name) {
-    // A medium does not take the name of what a picture has one of.
-    for (const char* other : {"camera", "key", "rim", "sky", "settings"})
-      if (name == other) return false;
-    for (const char* part : {"", "_place", "_shape", "_file", "_noise"})
-      if (graph.find(before + name + part)) return false;
-    return true;
-  };
-  if (is_free(wanted)) return wanted;
-  int number = 1;
-  while (!is_free(wanted + std::to_string(number))) ++number;
-  return wanted + std::to_string(number);
-}
-
-std::string extent_text(const SceneBounds& bounds) {
-  const dvec3 size = bounds.maximum - bounds.minimum, middle = bounds.centre();
-  // Three figures are as many as one looks at: of each side, and of the place those of the largest side.
-  const auto tidy = [](double value, double of) {
-    const double step = std::pow(10.0, std::floor(std::log10(std::max(of, 1e-30))) - 2.0);
-    return std::round(value / step) * step + 0.0;
-  };
-  const double largest = std::max({size.x, size.y, size.z});
-  return fmt::format("{:.6g} x {:.6g} x {:.6g} m at ({:.6g}, {:.6g}, {:.6g})", tidy(size.x, size.x),
-                     tidy(size.y, size.y), tidy(size.z, size.z), tidy(middle.x, largest),
-                     tidy(middle.y, largest), tidy(middle.z, largest));
-}
 
 ImportReport import_description(graph::Session& session, const SceneDescription& description,
                                 const ImportOptions& options) {

@@ -11,7 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/framing.h"
 #include "core/scene/scene_description.h"
 #include "host/graph/commands/session.h"
 
@@ -32,7 +31,7 @@ struct ImportReport {
   std::vector<std::string> warnings;  // what was mended, one line each
   std::optional<int> seed;            // of the first procedural medium
   std::vector<std::string> nodes;     // that were made
-  std::string extent;                 // of the media; see extent_text(); empty where nothing is dense
+  std::string extent;                 // see extent_text(); of media alone, else the camera tells it
 };
 
 /// Makes the nodes by commands, and fills in what the description leaves open (scale, camera, lights,
@@ -40,19 +39,5 @@ struct ImportReport {
 /// which becomes the current time. Throws std::runtime_error (one line), SceneLoadCancelled.
 ImportReport import_description(graph::Session& session, const SceneDescription& description,
                                 const ImportOptions& options = {});
-
-/// A node name made of any name: what cannot stand in one becomes _.
-std::string node_name_of(const std::string& name);
-
-/// What a medium is called that comes of a file: "smoke" for "shots/smoke.####.vdb". A name, not yet free.
-std::string medium_name_of(const std::string& path);
-
-/// The name, else with the lowest number behind it by which neither a medium nor any node that belongs to it
-/// is called yet. name_space: as in ImportOptions.
-std::string free_medium_name(const graph::Graph& graph, const std::string& wanted,
-                             const std::string& name_space = "");
-
-/// How large something is and where its middle is: "2.1 x 3 x 2 m at (0, 1.5, 0)".
-std::string extent_text(const SceneBounds& bounds);
 
 }  // namespace plinian::scene

@@ -7,6 +7,7 @@
 #include "host/graph/graph_error.h"
 #include "host/scene/file_types.h"
 #include "host/scene/import_description.h"
+#include "host/scene/medium_names.h"
 #include "host/scene/volume_options.h"
 
 namespace plinian::scene {

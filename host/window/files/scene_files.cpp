@@ -11,6 +11,7 @@
 #include "host/graph/files/scene_writer.h"
 #include "host/nodes/read_facts.h"
 #include "host/scene/import_description.h"
+#include "host/scene/medium_names.h"
 
 namespace plinian::window {
 
@@ -73,8 +74,6 @@ bool SceneFiles::import_whole(const std::string& input) {
     for (const std::string& line : report.notes) console_.add(LineKind::note, nodes::advice_for_node(line));
     for (const std::string& line : report.warnings)
       console_.add(LineKind::warning, nodes::advice_for_node(line));
-    if (is_volume(input) && !report.extent.empty())
-      console_.add(LineKind::note, fs::path(input).filename().string() + ": " + report.extent);
     done = true;
   } catch (const SceneLoadCancelled&) {
     console_.add(LineKind::note, input + ": cancelled");

@@ -198,6 +198,12 @@ void measure(Developed& developed, const Image& image, const Development& how) {
                light_of_media(how.against->frame, how), how);
 }
 
+// Whether the other picture is matched alike for both.
+bool measures_alike(const Development& a, const Development& b) {
+  return a.against == b.against && a.against_file == b.against_file && a.matching == b.matching &&
+         a.layer == b.layer && a.solo == b.solo && a.solo_ambient == b.solo_ambient;
+}
+
 // Of a quick picture, which has fewer pixels: what follows a hand says which way to go.
 void measure_roughly(Developed& developed, const Image& image, const Development& how, const Measured* last) {
   const bool alike = last && measures_alike(last->how, how);
@@ -254,11 +260,6 @@ vec3 visible_radiance(const Frame& frame, const Development& how, std::size_t pi
   for (const std::vector<vec3>* layer : layers_of_light(frame, how))
     if (layer->size() == frame.beauty.size()) sum += (*layer)[pixel];
   return sum;
-}
-
-bool measures_alike(const Development& a, const Development& b) {
-  return a.against == b.against && a.against_file == b.against_file && a.matching == b.matching &&
-         a.layer == b.layer && a.solo == b.solo && a.solo_ambient == b.solo_ambient;
 }
 
 std::string words_of(const Development& how) {

@@ -79,9 +79,6 @@ struct Measured {
   std::string matched;   // see Figures
 };
 
-/// Whether the other picture is matched alike for both.
-bool measures_alike(const Development& a, const Development& b);
-
 /// What one sees of a frame, as a picture with R, G and B, without a plate. [radiance, or a share for alpha
 /// and depth]
 Image visible_layers(const Frame& frame, const Development& how);

@@ -124,5 +124,15 @@ TEST(DefaultLights, ANewLightBringsTheKeysIrradianceToTheMiddleOfTheMedia) {
   EXPECT_TRUE(std::isfinite(new_light_exposure(lamp, bounds)));
 }
 
+TEST(Framing, TellsOfAnExtentWithAsManyFiguresAsOneReads) {
+  SceneBounds bounds;
+  bounds.minimum = {-1.0502, 0.0, -1.0};
+  bounds.maximum = {1.0498, 3.0, 1.0};
+  EXPECT_EQ(extent_text(bounds), "2.1 x 3 x 2 m at (0, 1.5, 0)");
+  bounds.minimum = {1000.0, 0.0, 0.0};
+  bounds.maximum = {13345.6, 2.0, 4000.0};
+  EXPECT_EQ(extent_text(bounds), "12300 x 2 x 4000 m at (7200, 0, 2000)");
+}
+
 }  // namespace
 }  // namespace plinian

@@ -6,6 +6,7 @@
 #include "core/scene/medium_loader.h"
 #include "core/scene/placement_angles.h"
 #include "core/scene/scene_loader.h"
+#include "host/scene/medium_names.h"
 #include "tests/host/scene/test_workspace.h"
 
 namespace plinian::scene {
@@ -302,16 +303,6 @@ TEST(ImportCommand, MediaAreCalledAfterTheirFiles) {
   EXPECT_EQ(medium_name_of("old take/fire-ball v2.vdb"), "fire_ball_v2");
   EXPECT_EQ(medium_name_of("3d.vdb"), "_3d");
   EXPECT_EQ(medium_name_of("####.vdb"), "medium");
-}
-
-TEST(ImportCommand, TellsOfAnExtentWithAsManyFiguresAsOneReads) {
-  SceneBounds bounds;
-  bounds.minimum = {-1.0502, 0.0, -1.0};
-  bounds.maximum = {1.0498, 3.0, 1.0};
-  EXPECT_EQ(extent_text(bounds), "2.1 x 3 x 2 m at (0, 1.5, 0)");
-  bounds.minimum = {1000.0, 0.0, 0.0};
-  bounds.maximum = {13345.6, 2.0, 4000.0};
-  EXPECT_EQ(extent_text(bounds), "12300 x 2 x 4000 m at (7200, 0, 2000)");
 }
 
 TEST(ImportCommand, WhatASceneHasOneOfStaysOutOfNamespaces) {
