@@ -147,6 +147,7 @@ TEST(ProbeSitting, TheCardLeavesThePixelFreeAndStaysWhereItIsDragged) {
   EXPECT_FALSE(covers(sitting.item("probe"), below));
   sitting.keep("probe-6-gave-way.png");
   const ivec4 before = sitting.item("probe");
+  EXPECT_LT(before.z * before.w, picture.z * picture.w * 2 / 5) << "most of the picture is free";
   const ivec2 grip(before.x + 8, before.y + before.w - 3);
   const ivec2 way(before.x > 600 ? -120 : 120, before.y > 250 ? -60 : 60);
   sitting.drag(grip, grip + way);
